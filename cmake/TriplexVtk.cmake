@@ -1,0 +1,13 @@
+# SPDX-FileCopyrightText: The Triplex authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# The parts of VTK that io and render use. Always with COMPONENTS: a bare find_package(VTK) asks for
+# Qt on some systems. Used by the build and by the installed package alike.
+set(TRIPLEX_VTK_IO CommonCore CommonDataModel IOCore IOXML IOLegacy IOParallelXML)
+set(TRIPLEX_VTK_RENDER CommonCore CommonDataModel FiltersCore FiltersSources IOImage IOXML
+  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2)
+set(triplex_vtk_components ${TRIPLEX_VTK_IO} ${TRIPLEX_VTK_RENDER})
+list(REMOVE_DUPLICATES triplex_vtk_components)
+find_package(VTK 9.1 REQUIRED COMPONENTS ${triplex_vtk_components})
+list(TRANSFORM TRIPLEX_VTK_IO PREPEND VTK::)
+list(TRANSFORM TRIPLEX_VTK_RENDER PREPEND VTK::)

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "triplex/certify/variation.hpp"
+#include "triplex/certify/vertex.hpp"
+#include "triplex/feature/feature.hpp"
+#include "triplex/field/refinable_field.hpp"
+
+namespace triplex {
+
+/// The first certificate that a cell lacks, in the order in which they are tried.
+enum class Obstacle : std::uint8_t {
+  None,
+  Vertex,     ///< a sign at a vertex stays open under the perturbation
+  Cell,       ///< no direction certifies a sheet in the tet
+  Face,       ///< no direction certifies a sheet on a face
+  Edge,       ///< a sheet may cross an edge more than once
+  SpineFace,  ///< (p, q) not proven injective on a face
+  SpineCell,  ///< the triple degenerate curve not proven monotone, or more than one arc
+};
+std::string_view describe(Obstacle obstacle);
+
+/// What is proven about one tet, and where to bisect it if that is not enough.
+struct CellCertificate {
+  FeatureSet excluded = 0;  ///< requested features proven absent
+  FeatureSet graph = 0;     ///< requested features proven to be discs (or one arc) fixed by the labels
+  FeatureSet open = 0;      ///< requested features not proven
+  bool has_spine_proof = false;
+  Obstacle obstacle = Obstacle::None;
+  std::array<VertexId, 2> edge{};  ///< the edge to bisect, if `obstacle` is not None or Vertex
+  double variation = 0;            ///< of that edge; orders the bisections
+
+  bool complete() const { return open == 0; }
+};
+
+/// The sector of every vertex of a field; `kOpenSector` where it stays undecided.
+inline constexpr std::uint8_t kOpenSector = 0xff;
+using SectorTable = std::span<const std::uint8_t>;
+
+/// Certifies the requested features on one tet with its faces and edges.
+/// Guarantee: if `complete`, then in this tet each requested page is what vertex labels and edge
+/// rotations say: per page nothing, one disc, or one half of a disc cut by the single arc of the
+/// triple degenerate curve. Source: proofs/cell.md.
+/// \pre vertices ascending.
+CellCertificate certify_cell(const RefinableField& field, const std::array<VertexId, 4>& vertices,
+                             SectorTable sectors, FeatureSet requested, SignStages& stages);
+
+}  // namespace triplex

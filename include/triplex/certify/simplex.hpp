@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "triplex/arithmetic/exact.hpp"
+#include "triplex/arithmetic/filter.hpp"
+#include "triplex/arithmetic/infinitesimal.hpp"
+#include "triplex/arithmetic/interval.hpp"
+#include "triplex/bernstein/forms.hpp"
+#include "triplex/field/refinable_field.hpp"
+
+namespace triplex {
+
+/// What one rung of the ladder knows of a sign. `Unknown` sends the question to the next rung.
+enum class Certainty : std::int8_t { Negative = -1, Unknown = 0, Positive = 1 };
+
+/// The sign of a quantity as a rung sees it. `error` bounds the error of x and counts for doubles only.
+inline Certainty certainty(double x, double error) {
+  return x > error ? Certainty::Positive : x < -error ? Certainty::Negative : Certainty::Unknown;
+}
+inline Certainty certainty(const Interval& x, double) {
+  return x.inf() > 0   ? Certainty::Positive
+         : x.sup() < 0 ? Certainty::Negative
+                       : Certainty::Unknown;
+}
+inline Certainty certainty(const Exact& x, double) {
+  return static_cast<Certainty>(static_cast<int>(sign(x)));
+}
+template <int K>
+Certainty certainty(const Series<K>& x, double) {
+  return static_cast<Certainty>(static_cast<int>(sign(x)));
+}
+
+/// The answer of a test on one rung.
+enum class Verdict : std::uint8_t { No, Unknown, Yes };
+
+/// "All of these are positive", collected sign by sign; a single negative sign settles it.
+class AllPositive {
+ public:
+  /// Returns false as soon as the answer is No.
+  bool add(Certainty c) {
+    if (c == Certainty::Negative) verdict_ = Verdict::No;
+    if (c == Certainty::Unknown) verdict_ = Verdict::Unknown;
+    return c != Certainty::Negative;
+  }
+  Verdict verdict() const { return verdict_; }
+
+ private:
+  Verdict verdict_ = Verdict::Yes;
+};
+
+/// The forms of a simplex with N vertices on every rung of the ladder: doubles at once, intervals,
+/// exact dyadics and the infinitesimal perturbation when a decision asks for them.
+template <int N>
+class Simplex {
+ public:
+  Simplex(const RefinableField& field, const std::array<VertexId, N>& vertices)
+      : field_(&field), vertices_(vertices) {
+    std::array<Tensor<double>, N> a;
+    for (int i = 0; i < N; ++i) {
+      const ApproximateTensor& v = field.approximate(vertices[i]);
+      a[i] = v.a;
+      entries_.include(v.bounds);
+    }
+    approximate_ = forms_of<double, N>(a);
+    bounds_ = FormBounds(entries_);
+  }
+
+  /// A face or an edge of a simplex: its coefficients are a selection, its bounds its own.
+  template <int M>
+  Simplex(const Simplex<M>& parent, const std::array<int, N>& local)
+      : field_(&parent.field()), approximate_(restrict_to<N>(parent.approximate(), local)) {
+    for (int i = 0; i < N; ++i) {
+      vertices_[i] = parent.vertices()[local[i]];
+      entries_.include(field_->approximate(vertices_[i]).bounds);
+    }
+    bounds_ = FormBounds(entries_);
+  }
+
+  const RefinableField& field() const { return *field_; }
+  const std::array<VertexId, N>& vertices() const { return vertices_; }
+  /// Doubles within `bounds` of the exact forms (times a power of two). Witnesses come from here.
+  const Forms<double, N>& approximate() const { return approximate_; }
+  const FormBounds& bounds() const { return bounds_; }
+  /// Whether the double filter may be trusted on this simplex.
+  bool filter_usable() const { return entries_.usable(); }
+
+  /// Decides a test for the perturbed field T + eps B, rung by rung.
+  /// `test(forms, bounds)` is called with forms over double, Interval, Exact and Perturbed in turn
+  /// until one rung answers Yes or No. A test that even the perturbation leaves open is answered No:
+  /// certificates are sufficient conditions, so that is always safe.
+  template <class Test>
+  bool decide(const Test& test, SignStages& stages) const {
+    if (filter_usable()) {
+      const Verdict verdict = test(approximate_, bounds_);
+      if (verdict != Verdict::Unknown) {
+        stages.count(Stage::Filter);
+        return verdict == Verdict::Yes;
+      }
+    }
+    return decide_beyond_filter(test, stages);
+  }
+
+  /// The exact tripled deviators, scaled like the doubles, so that one witness serves all rungs.
+  std::array<Tensor<Exact>, N> exact_tensors() const {
+    std::array<Tensor<Exact>, N> a;
+    const int exponent = field_->scale_exponent();
+    for (int i = 0; i < N; ++i) {
+      a[i] = field_->exact(vertices_[i]);
+      for (Exact& x : a[i]) x = scale_by_power_of_two(x, exponent);
+    }
+    return a;
+  }
+
+ private:
+  static Exact scale_by_power_of_two(Exact x, int exponent) {
+    for (; exponent > 1000; exponent -= 1000) x = x * Exact(0x1p1000);
+    for (; exponent < -1000; exponent += 1000) x = x * Exact(0x1p-1000);
+    return x * Exact(std::ldexp(1.0, exponent));
+  }
+
+  template <class Test>
+  [[gnu::noinline]] bool decide_beyond_filter(const Test& test, SignStages& stages) const {
+    if (filter_usable()) {
+      IntervalRounding protect;
+      const Verdict verdict = test(interval_forms(), bounds_);
+      if (verdict != Verdict::Unknown) {
+        stages.count(Stage::Interval);
+        return verdict == Verdict::Yes;
+      }
+    }
+    stages.count(Stage::Exact);
+    Verdict verdict = test(exact_forms(), bounds_);
+    if (verdict == Verdict::Unknown) verdict = test(perturbed_forms(), bounds_);
+    return verdict == Verdict::Yes;
+  }
+
+  const Forms<Interval, N>& interval_forms() const {
+    if (!interval_) {
+      std::array<Tensor<Interval>, N> a;
+      for (int i = 0; i < N; ++i) {
+        const ApproximateTensor& v = field_->approximate(vertices_[i]);
+        const Interval error(-v.bounds.error, v.bounds.error);
+        for (int k = 0; k < 9; ++k) a[i][k] = Interval(v.a[k]) + error;
+      }
+      interval_ = std::make_shared<const Forms<Interval, N>>(forms_of<Interval, N>(a));
+    }
+    return *interval_;
+  }
+  const Forms<Exact, N>& exact_forms() const {
+    if (!exact_) {
+      exact_ = std::make_shared<const Forms<Exact, N>>(forms_of<Exact, N>(exact_tensors()));
+    }
+    return *exact_;
+  }
+  const Forms<Perturbed, N>& perturbed_forms() const {
+    if (!perturbed_) {
+      Tensor<Exact> direction;
+      for (int k = 0; k < 9; ++k) direction[k] = Exact(kPerturbation[k]);
+      direction = triple_deviator(direction);
+      const auto exact = exact_tensors();
+      std::array<Tensor<Perturbed>, N> a;
+      for (int i = 0; i < N; ++i)
+        for (int k = 0; k < 9; ++k) a[i][k] = Perturbed(exact[i][k], direction[k]);
+      perturbed_ = std::make_shared<const Forms<Perturbed, N>>(forms_of<Perturbed, N>(a));
+    }
+    return *perturbed_;
+  }
+
+  const RefinableField* field_;
+  std::array<VertexId, N> vertices_{};
+  EntryBounds entries_;
+  FormBounds bounds_;
+  Forms<double, N> approximate_;
+  mutable std::shared_ptr<const Forms<Interval, N>> interval_;
+  mutable std::shared_ptr<const Forms<Exact, N>> exact_;
+  mutable std::shared_ptr<const Forms<Perturbed, N>> perturbed_;
+};
+
+}  // namespace triplex

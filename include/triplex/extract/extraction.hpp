@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "triplex/arithmetic/sign.hpp"
+#include "triplex/feature/feature.hpp"
+#include "triplex/field/tensor_field.hpp"
+
+namespace triplex {
+
+/// One feature as an indexed mesh: triangles for a surface, segments for the triple curve.
+/// Watertight by construction: cells share vertices by index. Triangles are consistently oriented:
+/// normals point in the direction in which the angle of (p, q) grows.
+struct FeatureMesh {
+  std::vector<Point> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::array<std::uint32_t, 2>> segments;
+  // per point
+  std::vector<double> p;     ///< minor of the deviator, in squared tensor units
+  std::vector<double> q;     ///< determinant of the deviator, in cubed tensor units
+  std::vector<double> mode;  ///< mu = 3 sqrt(3) |q| / (2 |p|^(3/2)): 0 neutral, 1 degenerate, inf balanced
+  // per cell
+  std::vector<std::int64_t> source_cell;  ///< cell id in the input file
+  std::vector<std::uint8_t> certified;    ///< 1 where the topology is proven
+};
+
+/// Why a tet of the input could not be certified within its budget.
+struct UnresolvedTet {
+  std::int64_t source_cell;  ///< cell id in the input file
+  FeatureSet features;       ///< the features concerned
+  std::string reason;        ///< which certificate failed, on which kind of simplex, and the budget
+};
+
+/// What was proven, by kind: (leaf tet, page) pairs for exclusion, graph and unresolved; leaf tets
+/// for spine.
+struct CertificateCounts {
+  std::uint64_t exclusion = 0, graph = 0, spine = 0, radial = 0, unresolved = 0;
+};
+
+struct RefinementStatistics {
+  std::uint64_t rounds = 0, bisections = 0, tets = 0;
+};
+
+struct ExtractionTiming {
+  double classify_s = 0, refine_s = 0, extract_s = 0;
+};
+
+/// Called from the calling thread between steps: name of the step, done in [0,1] or < 0 if unknown.
+using ProgressCallback = std::function<void(std::string_view step, double done)>;
+
+struct ExtractionOptions {
+  FeatureSet features = kAllFeatures;
+  /// Bisections that one tet of the input may ask for before it is reported as unresolved.
+  std::uint32_t max_bisections = 64;
+  /// 0: all cores.
+  unsigned threads = 0;
+  ProgressCallback progress;
+  /// Set to true from anywhere (a signal handler) to stop; `extract` then throws `Interrupted`.
+  const std::atomic<bool>* interrupted = nullptr;
+};
+
+/// Thrown by `extract` when `ExtractionOptions::interrupted` was set.
+struct Interrupted {};
+
+struct Extraction {
+  std::array<FeatureMesh, kFeatures> features;  ///< in the order of `Feature`
+  CertificateCounts certificates;
+  RefinementStatistics refinement;
+  SignStages sign_stages;
+  std::vector<UnresolvedTet> unresolved;  ///< sorted by source cell
+  /// Largest certified distance of a vertex on a certified edge from the true zero on that edge, as a
+  /// fraction of the edge.
+  double largest_crossing_error = 0;
+  ExtractionTiming timing;
+  bool certified() const { return unresolved.empty(); }
+};
+
+/// The main job: the requested features of a field, with certified topology.
+/// Guarantee: where `certified` is 1, the mesh is homeomorphic, cell by cell, to the feature of the
+/// piecewise linear field perturbed by a fixed infinitesimal constant tensor (docs/guarantees.md).
+/// \pre the field passed `check_input`. \throw Interrupted.
+Extraction extract(const TensorField& field, const ExtractionOptions& options = {});
+
+}  // namespace triplex

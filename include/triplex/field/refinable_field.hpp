@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "triplex/arithmetic/exact.hpp"
+#include "triplex/arithmetic/filter.hpp"
+#include "triplex/bernstein/tensor_array.hpp"
+#include "triplex/field/tensor_field.hpp"
+
+namespace triplex {
+
+/// The tripled deviator 3 T - tr(T) I at a vertex in doubles, scaled by a power of two that all
+/// vertices of the field share, with its proven error.
+struct ApproximateTensor {
+  Tensor<double> a;
+  EntryBounds bounds;
+};
+
+/// A piecewise linear tensor field whose edges can be halved without changing the field.
+///
+/// Vertices of the input are numbered by their coordinates (lexicographically), so that nothing
+/// downstream depends on the numbering of the file. A vertex made by bisection is kept as an exact
+/// dyadic combination of at most four vertices of the input, so its tensor is known exactly however
+/// often the mesh is refined.
+class RefinableField {
+ public:
+  /// \pre the field passed `check_input`; it must outlive this object.
+  explicit RefinableField(const TensorField& field);
+
+  std::size_t vertex_count() const { return approximations_.size(); }
+  std::size_t input_vertex_count() const { return input_of_.size(); }
+  /// The tets of the input in the numbering of this class.
+  const std::vector<std::array<VertexId, 4>>& input_tets() const { return input_tets_; }
+
+  const ApproximateTensor& approximate(VertexId v) const { return approximations_[index(v)]; }
+  /// The tripled deviator 3 T - tr(T) I, exactly, in the units of the input.
+  Tensor<Exact> exact(VertexId v) const;
+  /// The position, rounded once per coordinate combination (exact for vertices of the input).
+  Point position(VertexId v) const;
+  /// log2 of the factor that `approximate` was multiplied by.
+  int scale_exponent() const { return scale_exponent_; }
+
+  /// The midpoint of two vertices of one tet, as a new vertex; nothing when 2^-kMaxDepth is reached.
+  std::optional<VertexId> add_midpoint(VertexId a, VertexId b);
+
+  /// Weights are multiples of 2^-kMaxDepth, exactly representable as doubles.
+  static constexpr int kMaxDepth = 50;
+
+ private:
+  struct Combination {  // sum of n_i / 2^depth over at most four input vertices; unused: n = 0
+    std::array<VertexId, 4> vertices{};
+    std::array<std::uint64_t, 4> numerators{};
+    int depth = 0;
+  };
+  bool is_input(VertexId v) const { return index(v) < input_of_.size(); }
+  Combination combination(VertexId v) const;
+
+  const TensorField* field_;
+  std::vector<std::uint32_t> input_of_;  // vertex here -> point of the file
+  std::vector<std::array<VertexId, 4>> input_tets_;
+  std::vector<ApproximateTensor> approximations_;
+  std::vector<Combination> midpoints_;
+  int scale_exponent_ = 0;
+};
+
+}  // namespace triplex

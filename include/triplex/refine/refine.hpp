@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "triplex/certify/cell.hpp"
+#include "triplex/field/refinable_field.hpp"
+
+namespace triplex {
+
+/// One tet of the refined mesh.
+struct Leaf {
+  std::array<VertexId, 4> vertices;  ///< ascending
+  TetId input;                       ///< the tet of the input that contains it
+  bool flipped = false;              ///< the ascending order is negatively oriented
+  FeatureSet graph = 0;              ///< features certified by the graph certificate
+  FeatureSet open = 0;               ///< features not certified
+  bool has_spine_proof = false;
+  Obstacle obstacle = Obstacle::None;  ///< why `open` is not empty
+};
+
+/// What stopped the refinement of a tet that is still open.
+enum class Limit : std::uint8_t { None, Budget, Depth, Size };
+
+struct RefineOptions {
+  FeatureSet features = kAllFeatures;
+  /// Bisections that one tet of the input may ask for.
+  std::uint32_t max_bisections = 64;
+  /// No further round starts with more tets than this; bounds memory.
+  std::size_t max_tets = 0;
+  std::function<void(double done)> progress;
+  const std::atomic<bool>* interrupted = nullptr;
+};
+
+/// The certified complex: a conforming refinement of the input mesh with a label at every vertex.
+struct RefinedComplex {
+  explicit RefinedComplex(const TensorField& input) : field(input) {}
+
+  RefinableField field;
+  std::vector<std::uint8_t> sectors;  ///< per vertex: a `Sector`, or kOpenSector
+  std::vector<Leaf> leaves;
+  std::uint64_t rounds = 0, bisections = 0;
+  bool hit_size_limit = false;
+  SignStages sign_stages;
+};
+
+/// Raised when `RefineOptions::interrupted` was set.
+struct RefinementInterrupted {};
+
+/// Refines until every tet, with its faces and edges, carries a certificate for every requested
+/// feature, or its input tet's budget is spent.
+///
+/// In each round every open tet marks one edge; marks are sorted by variation, ties by the
+/// coordinates of the end points (the vertex numbering), and every tet that holds marked edges is
+/// bisected along them in that order. A face sees the same order from both sides, so the mesh
+/// stays conforming; and nothing depends on threads or on the numbering of the input.
+/// Guarantee: terminates; the mesh is conforming. Source: proofs/refinement.md.
+RefinedComplex refine(const TensorField& input, const RefineOptions& options);
+
+}  // namespace triplex

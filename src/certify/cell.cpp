@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triplex/certify/cell.hpp"
+
+#include "triplex/certify/edge_side.hpp"
+#include "triplex/certify/exclusion.hpp"
+#include "triplex/certify/graph.hpp"
+#include "triplex/certify/spine.hpp"
+
+namespace triplex {
+namespace {
+
+constexpr std::array<std::array<int, 3>, 4> kFaces = {{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
+constexpr std::array<std::array<int, 2>, 6> kEdges = {
+    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+
+constexpr std::array<int, 4> kWhole = {0, 1, 2, 3};
+
+using SheetSet = unsigned;
+constexpr SheetSet sheet_bit(Sheet s) { return 1u << static_cast<unsigned>(s); }
+constexpr SheetSet kSpineSheets = sheet_bit(Sheet::Balanced) | sheet_bit(Sheet::Neutral);
+
+constexpr FeatureSet kCurve = bit(Feature::TripleCurve);
+constexpr FeatureSet kNeutral = bit(Feature::NeutralReal) | bit(Feature::NeutralComplex);
+constexpr FeatureSet kBalanced = bit(Feature::BalancedLinear) | bit(Feature::BalancedPlanar);
+constexpr FeatureSet kDegenerate = bit(Feature::DegenerateLinear) | bit(Feature::DegeneratePlanar);
+
+/// Local indices of N vertices; not deduced, the simplex beside it says N.
+template <int N>
+using Local = std::array<int, static_cast<std::size_t>(N + 0)>;
+
+/// A simplex with the signs that p and q keep on it, each asked for once.
+template <int N>
+class SignedSimplex {
+ public:
+  template <class... Args>
+  SignedSimplex(SignStages& stages, Args&&... args)
+      : simplex_(std::forward<Args>(args)...), stages_(stages) {
+    sign_p_ = uniform_sign_of_p(simplex_, stages_);
+    sign_q_ = uniform_sign_of_q(simplex_, stages_);
+  }
+  const Simplex<N>& operator*() const { return simplex_; }
+  Sign sign_p() const { return sign_p_; }
+  Sign sign_q() const { return sign_q_; }
+
+  bool lacks_spine() {
+    return sign_p_ != Sign::Zero || sign_q_ != Sign::Zero || excludes_spine(simplex_, stages_);
+  }
+  /// No point of that degenerate page.
+  bool lacks_degenerate(Sign s) {
+    return sign_p_ == Sign::Positive || sign_q_ == -s ||
+           excludes_degenerate_page(simplex_, s, stages_);
+  }
+  /// The sheet is absent (for a degenerate one: its page is) or a graph.
+  bool certifies(Sheet sheet) {
+    switch (sheet) {
+      case Sheet::Balanced:
+        if (sign_p_ != Sign::Zero) return true;
+        break;
+      case Sheet::Neutral:
+        if (sign_q_ != Sign::Zero) return true;
+        break;
+      case Sheet::DegenerateLinear:
+        if (lacks_degenerate(Sign::Positive)) return true;
+        break;
+      case Sheet::DegeneratePlanar:
+        if (lacks_degenerate(Sign::Negative)) return true;
+        break;
+    }
+    return certifies_graph(simplex_, sheet, stages_);
+  }
+
+ private:
+  Simplex<N> simplex_;
+  SignStages& stages_;
+  Sign sign_p_ = Sign::Zero, sign_q_ = Sign::Zero;
+};
+
+/// Which of the requested features a tet may hold.
+FeatureSet possible_features(SignedSimplex<4>& cell, FeatureSet requested, SignStages& stages) {
+  FeatureSet possible = requested;
+  const Sign p = cell.sign_p(), q = cell.sign_q();
+  if (p != Sign::Zero) possible &= ~(kBalanced | kCurve);
+  if (q != Sign::Zero) possible &= ~(kNeutral | kCurve);
+  if (p == Sign::Positive) possible &= ~(kDegenerate | bit(Feature::NeutralReal));
+  if (p == Sign::Negative) possible &= ~bit(Feature::NeutralComplex);
+  if (q == Sign::Negative)
+    possible &= ~(bit(Feature::BalancedLinear) | bit(Feature::DegenerateLinear));
+  if (q == Sign::Positive)
+    possible &= ~(bit(Feature::BalancedPlanar) | bit(Feature::DegeneratePlanar));
+  for (const Sign s : {Sign::Positive, Sign::Negative}) {
+    const auto page = bit(s == Sign::Positive ? Feature::DegenerateLinear : Feature::DegeneratePlanar);
+    if ((possible & page) && excludes_degenerate_page(*cell, s, stages)) possible &= ~page;
+  }
+  return possible;
+}
+
+/// The checks of one tet; remembers the first obstacle and every sheet that failed.
+class CellCheck {
+ public:
+  CellCheck(const RefinableField& field, const std::array<VertexId, 4>& vertices,
+            SectorTable sectors, FeatureSet requested, SignStages& stages)
+      : vertices_(vertices), sectors_(sectors), stages_(stages), cell_(stages, field, vertices) {
+    possible_ = possible_features(cell_, requested, stages);
+    result_.excluded = requested & ~possible_;
+  }
+
+  CellCertificate run() {
+    if (possible_ == 0) return result_;
+    has_spine_ = !cell_.lacks_spine();
+    if (!has_spine_) exclude(kCurve);
+    if (possible_ == 0) return result_;
+
+    needed_ = has_spine_ ? kSpineSheets : 0;
+    for (int page = 0; page < kPages; ++page)
+      if (possible_ & bit(page)) needed_ |= sheet_bit(row(static_cast<Feature>(page)).sheet);
+
+    check(Obstacle::Cell, cell_, kWhole);
+    if (failed_ & (sheet_bit(Sheet::DegenerateLinear) | sheet_bit(Sheet::DegeneratePlanar))) try_discriminant();
+    if (possible_ == 0) return result_;
+    for (const auto& face : kFaces) check_face(face);
+    for (const auto& edge : kEdges) {
+      SignedSimplex<2> simplex(stages_, *cell_, edge);
+      check(Obstacle::Edge, simplex, edge);
+    }
+    if (has_spine_) check_spine_in_cell();
+    conclude();
+    return result_;
+  }
+
+ private:
+  void exclude(FeatureSet features) {
+    result_.excluded |= possible_ & features;
+    possible_ &= ~features;
+  }
+
+  /// D of one sign leaves neither degenerate page nor spine, so what they needed falls away.
+  void try_discriminant() {
+    if (!excludes_discriminant(*cell_, stages_)) return;
+    exclude(kDegenerate | kCurve);
+    has_spine_ = false;
+    spine_failed_ = false;
+    needed_ = failed_ = 0;
+    result_.obstacle = Obstacle::None;
+    for (int page = 0; page < kPages; ++page)
+      if (possible_ & bit(page)) needed_ |= sheet_bit(row(static_cast<Feature>(page)).sheet);
+    check(Obstacle::Cell, cell_, kWhole);
+  }
+
+  void check_face(const std::array<int, 3>& local) {
+    SignedSimplex<3> face(stages_, *cell_, local);
+    check(Obstacle::Face, face, local);
+    if (!has_spine_ || face.lacks_spine() || certifies_injective(*face, stages_)) return;
+    spine_failed_ = true;
+    block(Obstacle::SpineFace, *face, local, {.p = true, .q = true});
+  }
+
+  void check_spine_in_cell() {
+    if (spine_points_on_faces() <= 2 && certifies_monotone_spine(*cell_, stages_)) return;
+    spine_failed_ = true;
+    block(Obstacle::SpineCell, *cell_, kWhole, {.p = true, .q = true});
+  }
+
+  /// Faces around which (p, q) winds; more than any certified count where a rotation stays open.
+  int spine_points_on_faces() {
+    int count = 0;
+    for (const auto& face : kFaces) {
+      int winding = 0;
+      for (int i = 0; i < 3; ++i) {
+        const VertexId a = vertices_[face[i]], b = vertices_[face[(i + 1) % 3]];
+        const auto rotation = rotation_along((*cell_).field(), a, b, sector(a), sector(b), stages_);
+        if (!rotation) return 4;
+        winding += *rotation;
+      }
+      count += winding != 0;
+    }
+    return count;
+  }
+  Sector sector(VertexId v) const { return static_cast<Sector>(sectors_[triplex::index(v)]); }
+
+  template <int N>
+  void check(Obstacle obstacle, SignedSimplex<N>& simplex, const Local<N>& local) {
+    SheetSet failed = 0;
+    for (int s = 0; s < kSheets; ++s)
+      if ((needed_ >> s & 1u) && !simplex.certifies(static_cast<Sheet>(s))) failed |= 1u << s;
+    if (failed == 0) return;
+    failed_ |= failed;
+    const bool degenerate = failed & (sheet_bit(Sheet::DegenerateLinear) | sheet_bit(Sheet::DegeneratePlanar));
+    block(obstacle, *simplex, local,
+          {.p = (failed & sheet_bit(Sheet::Balanced)) != 0,
+           .q = (failed & sheet_bit(Sheet::Neutral)) != 0,
+           .discriminant = degenerate});
+  }
+
+  template <int N>
+  void block(Obstacle obstacle, const Simplex<N>& simplex, const Local<N>& local,
+             const Measures& measures) {
+    if (result_.obstacle != Obstacle::None) return;
+    result_.obstacle = obstacle;
+    const EdgeChoice choice = edge_of_largest_variation(simplex, measures);
+    result_.edge = {vertices_[local[choice.edge[0]]], vertices_[local[choice.edge[1]]]};
+    result_.variation = choice.variation;
+  }
+
+  /// A page is open if its sheet failed anywhere in the tet, or if the spine that may bound it did.
+  void conclude() {
+    const bool spine_open =
+        has_spine_ && (spine_failed_ || (failed_ & kSpineSheets) != 0);
+    for (int page = 0; page < kPages; ++page) {
+      if (!(possible_ & bit(page))) continue;
+      const bool failed = (failed_ & sheet_bit(row(static_cast<Feature>(page)).sheet)) || spine_open;
+      (failed ? result_.open : result_.graph) |= bit(page);
+    }
+    if (possible_ & kCurve) (spine_open ? result_.open : result_.graph) |= kCurve;
+    result_.has_spine_proof = has_spine_ && !spine_open;
+    if (result_.open == 0) result_.obstacle = Obstacle::None;
+  }
+
+  const std::array<VertexId, 4>& vertices_;
+  SectorTable sectors_;
+  SignStages& stages_;
+  SignedSimplex<4> cell_;
+  FeatureSet possible_ = 0;
+  SheetSet needed_ = 0, failed_ = 0;
+  bool has_spine_ = false, spine_failed_ = false;
+  CellCertificate result_;
+};
+
+}  // namespace
+
+std::string_view describe(Obstacle obstacle) {
+  switch (obstacle) {
+    case Obstacle::None: return "none";
+    case Obstacle::Vertex: return "a sign at a vertex stays zero under the perturbation";
+    case Obstacle::Cell: return "no direction certifies the sheet in the tet";
+    case Obstacle::Face: return "no direction certifies the sheet on a face";
+    case Obstacle::Edge: return "the sheet may cross an edge more than once";
+    case Obstacle::SpineFace: return "(p, q) not proven injective on a face";
+    case Obstacle::SpineCell: return "triple degenerate curve not proven to be one arc";
+  }
+  return "";
+}
+
+CellCertificate certify_cell(const RefinableField& field, const std::array<VertexId, 4>& vertices,
+                             SectorTable sectors, FeatureSet requested, SignStages& stages) {
+  for (const VertexId v : vertices) {
+    if (sectors[index(v)] != kOpenSector) continue;
+    CellCertificate open;
+    open.open = requested;
+    open.obstacle = Obstacle::Vertex;
+    return open;
+  }
+  return CellCheck(field, vertices, sectors, requested, stages).run();
+}
+
+}  // namespace triplex

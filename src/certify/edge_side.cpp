@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triplex/certify/edge_side.hpp"
+
+#include "triplex/certify/simplex.hpp"
+
+namespace triplex {
+namespace {
+
+Certainty operator*(Certainty a, Certainty b) {
+  return static_cast<Certainty>(static_cast<int>(a) * static_cast<int>(b));
+}
+
+/// In x = t / (1 - t), P = a x^2 + b x + c has one positive root x*, and a^2 Q = alpha x + beta
+/// modulo P. If alpha and beta differ in sign, then x0 = -beta / alpha > 0 is compared with x*:
+/// x* > x0 exactly if P(x0) has the sign of c, and alpha^2 P(x0) = a beta^2 - b alpha beta + c alpha^2.
+template <class NT>
+Certainty sign_by_remainder(const Forms<NT, 2>& f) {
+  const NT& a = f.P(1, 1);
+  const NT b = NT(2) * f.P(0, 1);
+  const NT& c = f.P(0, 0);
+  const NT& k3 = f.Q(1, 1, 1);
+  const NT k2 = NT(3) * f.Q(0, 1, 1);
+  const NT k1 = NT(3) * f.Q(0, 0, 1);
+  const NT& k0 = f.Q(0, 0, 0);
+  const NT alpha = k3 * (b * b - a * c) - k2 * a * b + k1 * a * a;
+  const NT beta = k3 * b * c - k2 * a * c + k0 * a * a;
+  const Certainty sa = certainty(alpha, 0);
+  const Certainty sb = certainty(beta, 0);
+  if (sa == Certainty::Unknown) {
+    // An exact zero of alpha leaves beta; for intervals nothing is known.
+    return Certainty::Unknown;
+  }
+  if (sb == sa) return sa;
+  if (sb == Certainty::Unknown) return Certainty::Unknown;
+  const NT at_x0 = a * beta * beta - b * alpha * beta + c * alpha * alpha;
+  return certainty(at_x0, 0) * certainty(c, 0) * sa;
+}
+
+struct SideTest {
+  Certainty wanted;
+
+  Verdict operator()(const Forms<double, 2>& f, const FormBounds& bounds) const {
+    // The filter: all coefficients of Q on one side.
+    Certainty side = certainty(f.q[0], bounds.q_error);
+    for (const double q : f.q) {
+      if (certainty(q, bounds.q_error) != side) return Verdict::Unknown;
+    }
+    return verdict(side);
+  }
+  template <class NT>
+  Verdict operator()(const Forms<NT, 2>& f, const FormBounds&) const {
+    return verdict(sign_by_remainder(f));
+  }
+  Verdict verdict(Certainty side) const {
+    return side == Certainty::Unknown ? Verdict::Unknown
+           : side == wanted           ? Verdict::Yes
+                                      : Verdict::No;
+  }
+};
+
+}  // namespace
+
+std::optional<Sign> q_at_root_of_p(const RefinableField& field, VertexId a, VertexId b,
+                                   SignStages& stages) {
+  const Simplex<2> edge(field, {std::min(a, b), std::max(a, b)});
+  if (edge.decide(SideTest{Certainty::Positive}, stages)) return Sign::Positive;
+  SignStages not_counted_twice;
+  if (edge.decide(SideTest{Certainty::Negative}, not_counted_twice)) return Sign::Negative;
+  return std::nullopt;
+}
+
+std::optional<int> rotation_along(const RefinableField& field, VertexId a, VertexId b,
+                                  Sector sector_a, Sector sector_b, SignStages& stages) {
+  const int i = index(sector_a);
+  const int j = index(sector_b);
+  if (i == j) return 0;
+  if (sign_p(sector_a) == sign_p(sector_b)) {
+    if (sign_p(sector_a) == Sign::Negative) return j - i;  // sectors 1..4, by page 3 if at all
+    return i < j ? -1 : 1;                                 // sectors 0 and 5, by page 0
+  }
+  Sign side = sign_q(sector_a);
+  if (side != sign_q(sector_b)) {
+    const auto decided = q_at_root_of_p(field, a, b, stages);
+    if (!decided) return std::nullopt;
+    side = *decided;
+  }
+  // Through page 1 (q > 0): count sectors 5, 0, 1, ..., 4 as -1, 0, 1, ..., 4.
+  // Through page 5 (q < 0): count sectors 1, ..., 5, 0 as 1, ..., 5, 6.
+  const auto unrolled = [side](int sector) {
+    if (side == Sign::Positive) return sector == 5 ? -1 : sector;
+    return sector == 0 ? 6 : sector;
+  };
+  return unrolled(j) - unrolled(i);
+}
+
+}  // namespace triplex

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triplex/certify/graph.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "triplex/certify/witness.hpp"
+
+namespace triplex {
+namespace {
+
+/// d as weights of the vertices, summing to zero: d_0 = -(d_1 + ... ) is implied.
+template <class NT, int N>
+std::array<NT, N - 1> direction_in(const std::array<double, 3>& d) {
+  std::array<NT, N - 1> r;
+  for (int a = 1; a < N; ++a) r[a - 1] = NT(d[a - 1]);
+  return r;
+}
+
+double one_norm(const std::array<double, 3>& d) {
+  return std::fabs(d[0]) + std::fabs(d[1]) + std::fabs(d[2]);
+}
+
+/// Coefficient i of half the derivative of P along the edge from vertex 0 to vertex a.
+template <class NT, int N>
+NT p_derivative(const Forms<NT, N>& f, int i, int a) {
+  return f.P(i, a) - f.P(i, 0);
+}
+/// Coefficient ij of a third of the derivative of Q + 3 s v P (v held fixed) along the same edge.
+template <class NT, int N>
+NT sheet_derivative(const Forms<NT, N>& f, int i, int j, int a, const NT& sv) {
+  return (f.Q(i, j, a) - f.Q(i, j, 0)) + sv * (p_derivative(f, i, a) + p_derivative(f, j, a));
+}
+
+struct PIncreases {
+  std::array<double, 3> d;
+  template <class NT, int N>
+  Verdict operator()(const Forms<NT, N>& f, const FormBounds& bounds) const {
+    // Per component: two errors of P; the dot product of three takes 1 + 1 + 2 roundings.
+    const double error =
+        one_norm(d) * (2 * bounds.p_error + gamma(5) * 2 * bounds.p_magnitude) * (1 + 0x1p-20);
+    const auto w = direction_in<NT, N>(d);
+    AllPositive all;
+    for (int i = 0; i < N; ++i) {
+      NT value = w[0] * p_derivative(f, i, 1);
+      for (int a = 2; a < N; ++a) value = value + w[a - 1] * p_derivative(f, i, a);
+      if (!all.add(certainty(value, error))) break;
+    }
+    return all.verdict();
+  }
+};
+
+/// d . grad (Q + 3 s v P) > 0 at both ends of a range of v; v = 0 alone is the neutral sheet.
+struct SheetIncreases {
+  std::array<double, 3> d;
+  std::array<double, 2> sv;  // s v at the two bounds
+  int ends;                  // 1 or 2
+
+  template <class NT, int N>
+  Verdict operator()(const Forms<NT, N>& f, const FormBounds& bounds) const {
+    const auto w = direction_in<NT, N>(d);
+    AllPositive all;
+    for (int end = 0; end < ends; ++end) {
+      // Per component: two errors of Q and four of P times v; the deepest term, v times a sum of
+      // differences inside the dot product, takes 2 + 1 + 1 + 1 + 2 roundings.
+      const double v = std::fabs(sv[end]);
+      const double error = one_norm(d) * (1 + 0x1p-20) *
+                           (2 * bounds.q_error + 4 * v * bounds.p_error +
+                            gamma(8) * (2 * bounds.q_magnitude + 4 * v * bounds.p_magnitude));
+      const NT v_end(sv[end]);
+      for (const auto& [i, j] : pairs<N>()) {
+        NT value = w[0] * sheet_derivative(f, i, j, 1, v_end);
+        for (int a = 2; a < N; ++a) value = value + w[a - 1] * sheet_derivative(f, i, j, a, v_end);
+        if (!all.add(certainty(value, error))) return all.verdict();
+      }
+    }
+    return all.verdict();
+  }
+};
+
+/// v_low <= sqrt(max(0, -P) / 6) <= v_high on the simplex, tested at every coefficient of P:
+/// P + 6 v_high^2 > 0, and P + 6 v_low^2 < 0 unless v_low = 0.
+struct BoundsV {
+  double low, high;
+  template <class NT, int N>
+  Verdict operator()(const Forms<NT, N>& f, const FormBounds& bounds) const {
+    const double error =
+        bounds.p_error + gamma(4) * (bounds.p_magnitude + 6 * std::fmax(low * low, high * high));
+    const NT low_square = NT(6) * NT(low) * NT(low);
+    const NT high_square = NT(6) * NT(high) * NT(high);
+    AllPositive all;
+    for (const NT& P : f.p) {
+      if (!all.add(certainty(P + high_square, error))) break;
+      if (low > 0 && !all.add(certainty(-(P + low_square), error))) break;
+    }
+    return all.verdict();
+  }
+};
+
+/// Witness for `BoundsV`, widened so that the filter can confirm it: by 2^-20 (rounding to few
+/// bits moves it by 2^-26), and by the error of P.
+template <int N>
+BoundsV range_of_v(const Simplex<N>& simplex) {
+  const auto [least, most] = std::ranges::minmax(simplex.approximate().p);
+  const double margin = 4 * simplex.bounds().p_error + gamma(16) * simplex.bounds().p_magnitude;
+  BoundsV range{};
+  range.high = std::sqrt(std::fmax(0, -least + margin) / 6) * (1 + 0x1p-20);
+  range.low = std::sqrt(std::fmax(0, -most - margin) / 6) * (1 - 0x1p-20);
+  range.high = few_bits(range.high);
+  range.low = few_bits(range.low);
+  return range;
+}
+
+template <int N>
+std::array<double, 3> direction_for_p(const Forms<double, N>& f) {
+  std::array<std::array<double, 3>, N> g{};
+  for (int i = 0; i < N; ++i)
+    for (int a = 1; a < N; ++a) g[i][a - 1] = p_derivative(f, i, a);
+  return separating_direction(g);
+}
+
+template <int N>
+std::array<double, 3> direction_for(const Forms<double, N>& f, const std::array<double, 2>& sv,
+                                    int ends) {
+  std::array<std::array<double, 3>, 2 * kPairs<N>> g{};
+  std::size_t n = 0;
+  for (int end = 0; end < ends; ++end)
+    for (const auto& [i, j] : pairs<N>()) {
+      for (int a = 1; a < N; ++a) g[n][a - 1] = sheet_derivative(f, i, j, a, sv[end]);
+      ++n;
+    }
+  return separating_direction(std::span(g.data(), n));
+}
+
+bool is_zero(const std::array<double, 3>& d) { return d[0] == 0 && d[1] == 0 && d[2] == 0; }
+
+}  // namespace
+
+template <int N>
+bool certifies_graph(const Simplex<N>& simplex, Sheet sheet, SignStages& stages) {
+  const auto& f = simplex.approximate();
+  if (sheet == Sheet::Balanced) {
+    const auto d = direction_for_p(f);
+    return !is_zero(d) && simplex.decide(PIncreases{d}, stages);
+  }
+  std::array<double, 2> sv{};
+  int ends = 1;
+  if (sheet != Sheet::Neutral) {
+    const BoundsV range = range_of_v(simplex);
+    const double s = sheet == Sheet::DegenerateLinear ? 1 : -1;
+    sv = {s * range.low, s * range.high};
+    ends = 2;
+    const auto d = direction_for(f, sv, ends);
+    return !is_zero(d) && simplex.decide(range, stages) &&
+           simplex.decide(SheetIncreases{d, sv, ends}, stages);
+  }
+  const auto d = direction_for(f, sv, ends);
+  return !is_zero(d) && simplex.decide(SheetIncreases{d, sv, ends}, stages);
+}
+
+template bool certifies_graph<2>(const Simplex<2>&, Sheet, SignStages&);
+template bool certifies_graph<3>(const Simplex<3>&, Sheet, SignStages&);
+template bool certifies_graph<4>(const Simplex<4>&, Sheet, SignStages&);
+
+}  // namespace triplex

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "triplex/field/generators.hpp"
+#include "triplex/io/write_field.hpp"
+
+namespace triplex::cli {
+namespace {
+
+struct GenerateRequest {
+  std::string name;
+  std::string output;
+  std::vector<double> box;  // xmin xmax ymin ymax zmin zmax
+  int split = 6;
+  GridOptions grid;
+  LorenzParameters lorenz;
+  bool lorenz_given = false;
+};
+
+std::string generator_list() {
+  std::string list = "Fields:\n";
+  for (const GeneratorRow& row : generator_table()) {
+    list += fmt::format("  {:<16} {}\n", row.name, row.title);
+  }
+  return list;
+}
+
+TensorField generate(GenerateRequest& request) {
+  const GeneratorRow* const generator = generator_named(request.name);
+  if (generator == nullptr) {
+    std::vector<std::string_view> names;
+    for (const GeneratorRow& row : generator_table()) names.push_back(row.name);
+    throw UsageError(fmt::format("no field is called '{}'; there are {}", request.name,
+                                 fmt::join(names, ", ")));
+  }
+  if (!request.box.empty()) {
+    const auto& b = request.box;
+    request.grid.box = Box{{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
+  }
+  request.grid.split = request.split == 5 ? CellSplit::Five : CellSplit::Six;
+  if (request.name == "lorenz") return generate_lorenz(request.grid, request.lorenz);
+  if (request.lorenz_given) throw UsageError("--sigma, --rho and --beta are for lorenz only");
+  return generator->generate(request.grid);
+}
+
+ExitCode run_generate(GenerateRequest& request) {
+  if (!can_write_field(request.output)) {
+    throw UsageError("the output file must end in .vtu or .vtk, not be " + request.output);
+  }
+  const TensorField field = generate(request);
+  write_field(request.output, field);
+  fmt::print("{}: {} tets, {} vertices\n", request.output, field.mesh.tets.size(),
+             field.mesh.points.size());
+  return ExitCode::Certified;
+}
+
+void add_grid_options(CLI::App* command, GenerateRequest& request) {
+  command->add_option("-n", request.grid.n, "Grid cells along each axis")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_option("--box", request.box, "The domain, instead of the field's own")
+      ->expected(6)
+      ->type_name("X0 X1 Y0 Y1 Z0 Z1");
+  command->add_option("--jitter", request.grid.jitter,
+                      "Move inner vertices by up to this fraction of the spacing")
+      ->check(CLI::Range(0.0, 0.499))
+      ->capture_default_str();
+  command->add_option("--seed", request.grid.seed, "Of the jitter and of random fields")
+      ->capture_default_str();
+  command->add_option("--split", request.split, "Tets per grid cell: 5 or 6")
+      ->check(CLI::IsMember({5, 6}))
+      ->type_name("K")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_generate(CLI::App& program, Action& action) {
+  auto request = std::make_shared<GenerateRequest>();
+  CLI::App* const command =
+      program.add_subcommand("generate", "Write a tensor field with a known formula.");
+  command->add_option("NAME", request->name, "Which field; see below")->required();
+  command->add_option("-o,--output", request->output, "File to write: .vtu or legacy .vtk")
+      ->required()
+      ->type_name("FILE");
+  add_grid_options(command, *request);
+  const std::vector<CLI::Option*> lorenz = {
+      command->add_option("--sigma", request->lorenz.sigma, "Lorenz: Prandtl number"),
+      command->add_option("--rho", request->lorenz.rho, "Lorenz: Rayleigh number"),
+      command->add_option("--beta", request->lorenz.beta, "Lorenz: aspect")};
+  for (CLI::Option* const option : lorenz) option->capture_default_str();
+  command->footer(generator_list() +
+                  "Examples:\n"
+                  "  triplex generate lorenz -n 20 -o lorenz.vtu\n"
+                  "  triplex generate abc -n 44 --split 5 --jitter 0.2 --seed 7 -o abc.vtu");
+  command->callback([request, lorenz, &action] {
+    for (const CLI::Option* const option : lorenz) request->lorenz_given |= option->count() > 0;
+    action = [request] { return run_generate(*request); };
+  });
+}
+
+}  // namespace triplex::cli

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report.hpp"
+
+#include <fmt/core.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "feature_list.hpp"
+#include "version.hpp"
+
+namespace triplex::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in kilobytes
+}
+
+Json bounds_of(const TensorField& field) {
+  Json bounds = Json::array();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double lo = std::numeric_limits<double>::infinity();
+    double hi = -lo;
+    for (const Point& x : field.mesh.points) {
+      lo = std::min(lo, x[axis]);
+      hi = std::max(hi, x[axis]);
+    }
+    bounds.push_back({lo, hi});
+  }
+  return bounds;
+}
+
+Json field_json(const ExtractRequest& request, const TensorField& field) {
+  return {{"file", request.field},
+          {"tets", field.mesh.tets.size()},
+          {"vertices", field.mesh.points.size()},
+          {"array", field.array_name},
+          {"bounds", bounds_of(field)}};
+}
+
+Json options_json(const ExtractRequest& request) {
+  return {{"features", names_of(request.features)},
+          {"max_bisections", request.max_bisections},
+          {"threads", request.threads},
+          {"merge_points", request.merge_points},
+          {"fix_orientation", request.fix_orientation}};
+}
+
+Json surface_json(const FeatureSummary& summary) {
+  const SurfaceTopology& s = summary.surface;
+  return {{"vertices", s.vertices}, {"triangles", s.triangles},           {"components", s.components},
+          {"euler", s.euler},       {"boundary_loops", s.boundary_loops}, {"area", summary.measure},
+          {"unresolved", summary.unresolved}};
+}
+
+Json curve_json(const FeatureSummary& summary) {
+  const CurveTopology& c = summary.curve;
+  return {{"vertices", c.vertices},
+          {"segments", c.segments},
+          {"components", c.components},
+          {"closed", c.closed},
+          {"length", summary.measure}};
+}
+
+Json features_json(FeatureSet features, const FeatureSummaries& summaries) {
+  Json json = Json::object();
+  for (const Feature f : kReadingOrder) {
+    if (!contains(features, f)) continue;
+    const FeatureSummary& summary = summaries[static_cast<std::size_t>(f)];
+    json[std::string(row(f).name)] =
+        f == Feature::TripleCurve ? curve_json(summary) : surface_json(summary);
+  }
+  return json;
+}
+
+Json unresolved_json(const std::vector<UnresolvedTet>& unresolved) {
+  Json json = Json::array();
+  for (const UnresolvedTet& tet : unresolved) {
+    json.push_back({{"tet", tet.source_cell},
+                    {"features", names_of(tet.features)},
+                    {"reason", tet.reason}});
+  }
+  return json;
+}
+
+}  // namespace
+
+FeatureSummaries summarize(const Extraction& extraction) {
+  FeatureSummaries summaries;
+  for (const Feature f : kReadingOrder) {
+    const FeatureMesh& mesh = extraction.features[static_cast<std::size_t>(f)];
+    FeatureSummary& summary = summaries[static_cast<std::size_t>(f)];
+    if (f == Feature::TripleCurve) {
+      summary.curve = curve_topology(mesh.segments, mesh.points.size());
+      summary.measure = length_approx(mesh.points, mesh.segments);
+    } else {
+      summary.surface = surface_topology(mesh.triangles, mesh.points.size());
+      summary.measure = area_approx(mesh.points, mesh.triangles);
+    }
+    summary.unresolved = static_cast<std::uint64_t>(
+        std::count_if(extraction.unresolved.begin(), extraction.unresolved.end(),
+                      [&](const UnresolvedTet& tet) { return contains(tet.features, f); }));
+  }
+  return summaries;
+}
+
+Json make_report(const ExtractRequest& request, const TensorField& field,
+                 const Extraction& extraction, const FeatureSummaries& summaries,
+                 const StepTiming& timing) {
+  const CertificateCounts& proofs = extraction.certificates;
+  const RefinementStatistics& refinement = extraction.refinement;
+  const SignStages& stages = extraction.sign_stages;
+  Json report;
+  report["certified"] = extraction.certified();
+  report["version"] = kVersion;
+  report["field"] = field_json(request, field);
+  report["options"] = options_json(request);
+  report["certificates"] = {{"exclusion", proofs.exclusion},
+                            {"graph", proofs.graph},
+                            {"spine", proofs.spine},
+                            {"unresolved", proofs.unresolved}};
+  report["refinement"] = {{"rounds", refinement.rounds},
+                          {"bisections", refinement.bisections},
+                          {"tets", refinement.tets}};
+  report["sign_stages"] = {
+      {"filter", stages.filter}, {"interval", stages.interval}, {"exact", stages.exact}};
+  report["features"] = features_json(request.features, summaries);
+  report["unresolved"] = unresolved_json(extraction.unresolved);
+  report["timing_s"] = {{"read", timing.read},
+                        {"classify", extraction.timing.classify_s},
+                        {"refine", extraction.timing.refine_s},
+                        {"extract", extraction.timing.extract_s},
+                        {"topology", timing.topology},
+                        {"write", timing.write},
+                        {"total", timing.total}};
+  report["peak_memory_bytes"] = peak_memory_bytes();
+  return report;
+}
+
+std::string make_table(const ExtractRequest& request, const Extraction& extraction,
+                       const FeatureSummaries& summaries) {
+  std::string table =
+      fmt::format("{:<18} {:>9} {:>9} {:>10} {:>6} {:>8} {:>12} {:>10}\n", "feature", "vertices",
+                  "cells", "components", "euler", "boundary", "area", "unresolved");
+  const auto out = std::back_inserter(table);
+  for (const Feature f : kReadingOrder) {
+    if (!contains(request.features, f)) continue;
+    const FeatureSummary& summary = summaries[static_cast<std::size_t>(f)];
+    if (f == Feature::TripleCurve) {
+      const CurveTopology& c = summary.curve;
+      fmt::format_to(out, "{:<18} {:>9} {:>9} {:>10} {:>6} {:>8} {:>12.6g} {:>10}\n", row(f).name,
+                     c.vertices, c.segments, c.components,
+                     static_cast<std::int64_t>(c.vertices) - static_cast<std::int64_t>(c.segments),
+                     c.ends, summary.measure, summary.unresolved);
+    } else {
+      const SurfaceTopology& s = summary.surface;
+      fmt::format_to(out, "{:<18} {:>9} {:>9} {:>10} {:>6} {:>8} {:>12.6g} {:>10}\n", row(f).name,
+                     s.vertices, s.triangles, s.components, s.euler, s.boundary_loops,
+                     summary.measure, summary.unresolved);
+    }
+  }
+  const std::size_t open = extraction.unresolved.size();
+  if (open == 0) {
+    fmt::format_to(out, "certified: every cell is decided\n");
+  } else {
+    fmt::format_to(out, "{} of the field's tets unresolved; report.json lists them\n", open);
+  }
+  return table;
+}
+
+}  // namespace triplex::cli

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "triplex/extract/extraction.hpp"
+#include "triplex/topology/curve_topology.hpp"
+#include "triplex/topology/surface_topology.hpp"
+
+namespace triplex::cli {
+
+/// One feature in numbers. For the curve `curve` and `measure` (a length) are used, for a surface
+/// `surface` and `measure` (an area).
+struct FeatureSummary {
+  SurfaceTopology surface;
+  CurveTopology curve;
+  double measure = 0;
+  std::uint64_t unresolved = 0;  ///< tets of the input whose list names the feature
+};
+using FeatureSummaries = std::array<FeatureSummary, kFeatures>;
+
+FeatureSummaries summarize(const Extraction& extraction);
+
+/// Seconds of wall time per step of the run; reading includes checking.
+struct StepTiming {
+  double read = 0, topology = 0, write = 0, total = 0;
+};
+
+/// What the user asked for, as given.
+struct ExtractRequest {
+  std::string field;
+  std::string directory;
+  std::string tensor;
+  FeatureSet features = kAllFeatures;
+  std::uint32_t max_bisections = 0;
+  unsigned threads = 0;
+  bool quiet = false;
+  bool merge_points = false;
+  bool fix_orientation = false;
+};
+
+/// The contents of report.json; docs/formats.md says what each key means.
+nlohmann::ordered_json make_report(const ExtractRequest& request, const TensorField& field,
+                                   const Extraction& extraction, const FeatureSummaries& summaries,
+                                   const StepTiming& timing);
+
+/// The table for people.
+std::string make_table(const ExtractRequest& request, const Extraction& extraction,
+                       const FeatureSummaries& summaries);
+
+}  // namespace triplex::cli

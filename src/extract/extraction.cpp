@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triplex/extract/extraction.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <optional>
+
+#include "feature_mesh.hpp"
+#include "triplex/refine/refine.hpp"
+
+namespace triplex {
+namespace {
+
+/// Refinement may add this many tets per tet of the input, and this many in any case; more would not
+/// fit the memory of an ordinary machine for inputs of a few million tets.
+constexpr std::size_t kGrowth = 4;
+constexpr std::size_t kRoom = 4'000'000;
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> elapsed = now - start_;
+    start_ = now;
+    return elapsed.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// A sector for every vertex. Where certification left it open the doubles choose, zero counting as
+/// positive: one choice for all tets around, so the mesh stays watertight; they are all open anyway.
+std::vector<Sector> labels_of(const RefinedComplex& complex) {
+  std::vector<Sector> labels(complex.sectors.size());
+  for (std::size_t v = 0; v < labels.size(); ++v) {
+    if (complex.sectors[v] != kOpenSector) {
+      labels[v] = static_cast<Sector>(complex.sectors[v]);
+      continue;
+    }
+    const Simplex<1> vertex(complex.field, {VertexId(v)});
+    const double P = vertex.approximate().p[0], Q = vertex.approximate().q[0];
+    const bool real = 2 * P * P * P + 3 * Q * Q < 0;
+    labels[v] = P >= 0 ? (Q >= 0 ? Sector::InnerComplexLinear : Sector::InnerComplexPlanar)
+                : Q >= 0 ? (real ? Sector::RealLinear : Sector::OuterComplexLinear)
+                         : (real ? Sector::RealPlanar : Sector::OuterComplexPlanar);
+  }
+  return labels;
+}
+
+/// Tets with vertices in more than one sector: only these can hold patches.
+std::vector<std::uint32_t> active_leaves(const RefinedComplex& complex,
+                                         const std::vector<Sector>& labels) {
+  std::vector<std::uint32_t> active;
+  for (std::size_t n = 0; n < complex.leaves.size(); ++n) {
+    const auto& v = complex.leaves[n].vertices;
+    const Sector first = labels[index(v[0])];
+    if (labels[index(v[1])] != first || labels[index(v[2])] != first || labels[index(v[3])] != first)
+      active.push_back(static_cast<std::uint32_t>(n));
+  }
+  return active;
+}
+
+/// An edge whose side of the spine stays undecided leaves every tet around it open.
+void open_around(const EdgeCrossings& crossings, const std::vector<std::uint32_t>& active,
+                 FeatureSet features, RefinedComplex& complex) {
+  const auto& edges = crossings.edges();
+  if (std::none_of(edges.begin(), edges.end(), [](const auto& e) { return e.open; })) return;
+  for (const std::uint32_t n : active) {
+    Leaf& leaf = complex.leaves[n];
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j) {
+        const CrossedEdge* edge = crossings.find(leaf.vertices[i], leaf.vertices[j]);
+        if (edge == nullptr || !edge->open) continue;
+        leaf.graph = 0;
+        leaf.open = features;
+        leaf.has_spine_proof = false;
+        leaf.obstacle = Obstacle::Vertex;
+      }
+  }
+}
+
+CertificateCounts count_certificates(const RefinedComplex& complex, FeatureSet features) {
+  CertificateCounts counts;
+  for (const Leaf& leaf : complex.leaves) {
+    const unsigned requested = features;
+    counts.exclusion += std::popcount(requested & ~static_cast<unsigned>(leaf.graph | leaf.open));
+    counts.graph += std::popcount(static_cast<unsigned>(leaf.graph));
+    counts.unresolved += std::popcount(static_cast<unsigned>(leaf.open));
+    counts.spine += leaf.has_spine_proof;
+  }
+  return counts;
+}
+
+/// The open leaves, gathered by tet of the input; the gravest obstacle names the reason.
+std::vector<UnresolvedTet> unresolved_tets(const TensorField& input, const RefinedComplex& complex,
+                                           const ExtractionOptions& options) {
+  struct Open {
+    TetId tet;
+    FeatureSet features;
+    Obstacle obstacle;
+  };
+  std::vector<Open> open;
+  for (const Leaf& leaf : complex.leaves)
+    if (leaf.open != 0) open.push_back({leaf.input, leaf.open, leaf.obstacle});
+  std::stable_sort(open.begin(), open.end(),
+                   [](const Open& a, const Open& b) { return a.tet < b.tet; });
+
+  std::vector<UnresolvedTet> result;
+  for (std::size_t n = 0; n < open.size();) {
+    Open tet = open[n];
+    for (; n < open.size() && open[n].tet == tet.tet; ++n) {
+      tet.features |= open[n].features;
+      tet.obstacle = std::min(tet.obstacle, open[n].obstacle);
+    }
+    const std::int64_t source = input.source_cells.empty()
+                                    ? static_cast<std::int64_t>(index(tet.tet))
+                                    : input.source_cells[index(tet.tet)];
+    const std::string limit = complex.hit_size_limit
+                                  ? std::string("the refined mesh reached its size limit")
+                                  : fmt::format("budget of {} bisections spent", options.max_bisections);
+    result.push_back({source, tet.features, fmt::format("{}; {}", describe(tet.obstacle), limit)});
+  }
+  std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
+    return a.source_cell < b.source_cell;
+  });
+  return result;
+}
+
+RefineOptions refine_options(const TensorField& field, const ExtractionOptions& options) {
+  RefineOptions r;
+  r.features = options.features;
+  r.max_bisections = options.max_bisections;
+  r.max_tets = kGrowth * field.mesh.tets.size() + kRoom;
+  r.interrupted = options.interrupted;
+  if (options.progress) r.progress = [&](double done) { options.progress("certify", done); };
+  return r;
+}
+
+}  // namespace
+
+Extraction extract(const TensorField& field, const ExtractionOptions& options) {
+  std::optional<tbb::global_control> threads;
+  if (options.threads > 0)
+    threads.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
+  const auto report = [&](std::string_view step) {
+    if (options.interrupted && options.interrupted->load()) throw Interrupted{};
+    if (options.progress) options.progress(step, 0);
+  };
+
+  Extraction result;
+  Stopwatch watch;
+  try {
+    RefinedComplex complex = refine(field, refine_options(field, options));
+    result.timing.refine_s = watch.lap();
+
+    // Vertices, edges, faces, cells.
+    report("extract");
+    const std::vector<Sector> labels = labels_of(complex);
+    const std::vector<std::uint32_t> active = active_leaves(complex, labels);
+    SignStages stages = complex.sign_stages;
+    const EdgeCrossings crossings(complex, labels, active, options.features, stages);
+    open_around(crossings, active, options.features, complex);
+    const FaceSpinePoints spine_points(complex, active, crossings);
+    report("mesh");
+    result.features = FeatureMeshBuilder(field, complex, labels, crossings, spine_points)
+                          .build(active, options.features);
+
+    result.sign_stages = stages;
+    result.certificates = count_certificates(complex, options.features);
+    result.refinement = {complex.rounds, complex.bisections, complex.leaves.size()};
+    result.unresolved = unresolved_tets(field, complex, options);
+    for (const Crossing& c : crossings.crossings())
+      if (c.error < 1) result.largest_crossing_error = std::max(result.largest_crossing_error, c.error);
+    result.timing.extract_s = watch.lap();
+  } catch (const RefinementInterrupted&) {
+    throw Interrupted{};
+  }
+  return result;
+}
+
+}  // namespace triplex

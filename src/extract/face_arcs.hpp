@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "edge_crossings.hpp"
+
+namespace triplex {
+
+/// A face that the triple degenerate curve passes through, once.
+struct SpinePoint {
+  std::array<VertexId, 3> face;         ///< ascending
+  std::array<double, 3> barycentric{};  ///< of the point p = q = 0
+  bool converged = false;               ///< Newton's iteration reached rounding level inside the face
+};
+
+/// All faces of active tets around which (p, q) winds, each once, with their points.
+class FaceSpinePoints {
+ public:
+  FaceSpinePoints(const RefinedComplex& complex, const std::vector<std::uint32_t>& active_leaves,
+                  const EdgeCrossings& crossings);
+  const std::vector<SpinePoint>& points() const { return points_; }
+  /// The number of the point on a face, or -1. \pre the vertices ascend.
+  int find(const std::array<VertexId, 3>& face) const;
+  Point position(const RefinedComplex& complex, const SpinePoint& point) const;
+
+ private:
+  std::vector<SpinePoint> points_;
+};
+
+/// How often (p, q) winds around the origin along the boundary of a face a -> b -> c -> a: the sum of the
+/// rotations over six; -1, 0 or 1.
+int winding(const EdgeCrossings& crossings, VertexId a, VertexId b, VertexId c);
+
+}  // namespace triplex

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "cell_patches.hpp"
+#include "triplex/extract/extraction.hpp"
+
+namespace triplex {
+
+/// The patches of all active tets joined to one indexed mesh per requested feature.
+/// Vertices are numbered by edge, then by face; loops become fans (quadrilaterals along their
+/// shorter diagonal).
+class FeatureMeshBuilder {
+ public:
+  FeatureMeshBuilder(const TensorField& input, const RefinedComplex& complex,
+                     const std::vector<Sector>& labels, const EdgeCrossings& crossings,
+                     const FaceSpinePoints& spine_points);
+
+  std::array<FeatureMesh, kFeatures> build(const std::vector<std::uint32_t>& active_leaves,
+                                           FeatureSet features) const;
+
+ private:
+  struct Cell {  // a triangle or, with two vertices, a segment
+    std::array<PatchVertex, 3> vertices;
+    std::int64_t source;
+    bool certified;
+  };
+  using Cells = std::array<std::vector<Cell>, kFeatures>;
+
+  void add_leaf(const Leaf& leaf, FeatureSet features, Cells& cells) const;
+  void add_fan(const PatchLoop& loop, std::int64_t source, bool certified,
+               std::vector<Cell>& out) const;
+  FeatureMesh assemble(Feature feature, const std::vector<Cells>& parts) const;
+  Point position(const PatchVertex& v) const;
+  void add_vertex(Feature feature, const PatchVertex& v, FeatureMesh& mesh) const;
+  std::int64_t source_cell(TetId tet) const;
+
+  const TensorField& input_;
+  const RefinedComplex& complex_;
+  const std::vector<Sector>& labels_;
+  const EdgeCrossings& crossings_;
+  const FaceSpinePoints& spine_points_;
+  std::vector<std::uint32_t> edge_of_;  // crossing -> its edge
+};
+
+}  // namespace triplex

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <string>
+
+#include "triplex/field/tensor_field.hpp"
+
+namespace triplex::detail {
+
+/// "point 7 at (0, 0.5, 1)", with the shortest digits that determine the doubles.
+inline std::string describe_point(const TensorField& field, std::size_t point) {
+  const Point& x = field.mesh.points[point];
+  return fmt::format("point {} at ({}, {}, {})", point, x[0], x[1], x[2]);
+}
+
+/// The cell id in the input file of a tet.
+inline std::int64_t cell_id(const TensorField& field, std::size_t tet) {
+  return field.source_cells.empty() ? static_cast<std::int64_t>(tet) : field.source_cells[tet];
+}
+
+/// "cell 7 (points 1, 2, 3, 4)".
+inline std::string describe_cell(const TensorField& field, std::size_t tet) {
+  const auto& v = field.mesh.tets[tet];
+  return fmt::format("cell {} (points {}, {}, {}, {})", cell_id(field, tet), index(v[0]),
+                     index(v[1]), index(v[2]), index(v[3]));
+}
+
+}  // namespace triplex::detail

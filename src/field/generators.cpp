@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triplex/field/generators.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "splitmix64.hpp"
+
+namespace triplex {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// A grid with the tensor that `tensor(i, x)` gives for vertex i at x.
+template <class TensorAt>
+TensorField sample(const GridOptions& options, const Box& box, const TensorAt& tensor) {
+  TensorField field;
+  field.mesh = grid_mesh(options, box);
+  field.array_name = "tensor";
+  const auto& points = field.mesh.points;
+  field.tensors.resize(points.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1024), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      field.tensors[i] = tensor(i, points[i]);
+    }
+  });
+  return field;
+}
+
+/// Copies the tensors of the lower sides to the upper sides along the axes that are periodic.
+void copy_opposite_faces(TensorField& field, int n, const std::array<bool, 3>& periodic) {
+  const auto id = [&](int i, int j, int k) {
+    return (static_cast<std::size_t>(k) * (n + 1) + j) * (n + 1) + i;
+  };
+  const auto wrap = [&](int i, int axis) { return periodic[axis] && i == n ? 0 : i; };
+  for (int k = 0; k <= n; ++k) {
+    for (int j = 0; j <= n; ++j) {
+      for (int i = 0; i <= n; ++i) {
+        field.tensors[id(i, j, k)] = field.tensors[id(wrap(i, 0), wrap(j, 1), wrap(k, 2))];
+      }
+    }
+  }
+}
+
+constexpr Box kLorenzBox{{-30, -30, 0}, {30, 30, 60}};
+constexpr Box kAbcBox{{0, 0, 0}, {2 * kPi, 2 * kPi, 2 * kPi}};
+constexpr Box kRayleighBenardBox{{0, 0, 0}, {2, 1, 1}};
+constexpr Box kRandomLinearBox{{-1, -1, -1}, {1, 1, 1}};
+constexpr Box kNoiseBox{{0, 0, 0}, {1, 1, 1}};
+
+}  // namespace
+
+Tensor<double> lorenz_gradient(const Point& x, const LorenzParameters& f) {
+  return {-f.sigma, f.sigma, 0, f.rho - x[2], -1, -x[0], x[1], x[0], -f.beta};
+}
+
+TensorField generate_lorenz(const GridOptions& options, const LorenzParameters& parameters) {
+  return sample(options, kLorenzBox,
+                [&](std::size_t, const Point& x) { return lorenz_gradient(x, parameters); });
+}
+
+Tensor<double> abc_gradient(const Point& x, const AbcParameters& f) {
+  return {0,
+          -f.c * std::sin(x[1]),
+          f.a * std::cos(x[2]),
+          f.b * std::cos(x[0]),
+          0,
+          -f.a * std::sin(x[2]),
+          -f.b * std::sin(x[0]),
+          f.c * std::cos(x[1]),
+          0};
+}
+
+TensorField generate_abc(const GridOptions& options, const AbcParameters& parameters) {
+  TensorField field = sample(options, kAbcBox, [&](std::size_t, const Point& x) {
+    return abc_gradient(x, parameters);
+  });
+  const Box box = options.box.value_or(kAbcBox);
+  std::array<bool, 3> periodic;
+  for (int k = 0; k < 3; ++k) periodic[k] = box.hi[k] - box.lo[k] == 2 * kPi;
+  copy_opposite_faces(field, options.n, periodic);
+  return field;
+}
+
+Point rayleigh_benard_velocity(const Point& p, const RayleighBenardParameters& f) {
+  const double cx = std::cos(kPi * p[0]), sx = std::sin(kPi * p[0]);
+  const double cy = std::cos(kPi * p[1]), sy = std::sin(kPi * p[1]);
+  const double cz = std::cos(kPi * p[2]), sz = std::sin(kPi * p[2]);
+  const double m = f.modulation, s = f.swirl;
+  return {-cz * sx * (1 + m / 2 * cy) + s * sx * cy * cz,
+          -cz * m / 2 * cx * sy - s * cx * sy * cz,
+          sz * cx * (1 + m * cy)};
+}
+
+Tensor<double> rayleigh_benard_gradient(const Point& p, const RayleighBenardParameters& f) {
+  const double cx = std::cos(kPi * p[0]), sx = std::sin(kPi * p[0]);
+  const double cy = std::cos(kPi * p[1]), sy = std::sin(kPi * p[1]);
+  const double cz = std::cos(kPi * p[2]), sz = std::sin(kPi * p[2]);
+  const double m = f.modulation, s = f.swirl;
+  const double along = 1 + (m / 2 - s) * cy;  // u = -sin(pi x) cos(pi z) along
+  const double across = m / 2 + s;            // v = -cos(pi x) sin(pi y) cos(pi z) across
+  const double up = 1 + m * cy;               // w = cos(pi x) sin(pi z) up
+  return {-kPi * cx * cz * along, kPi * sx * cz * (m / 2 - s) * sy, kPi * sx * sz * along,
+          kPi * sx * sy * cz * across, -kPi * cx * cy * cz * across, kPi * cx * sy * sz * across,
+          -kPi * sx * sz * up, -kPi * cx * sz * m * sy, kPi * cx * cz * up};
+}
+
+TensorField generate_rayleigh_benard(const GridOptions& options,
+                                     const RayleighBenardParameters& parameters) {
+  return sample(options, kRayleighBenardBox, [&](std::size_t, const Point& x) {
+    return rayleigh_benard_gradient(x, parameters);
+  });
+}
+
+TensorField generate_random_linear(const GridOptions& options) {
+  detail::SplitMix64 random(options.seed, ~std::uint64_t{0});
+  std::array<Tensor<double>, 4> c;
+  for (auto& tensor : c) {
+    for (double& x : tensor) x = static_cast<double>(random.next_integer(1 << 16)) * 0x1p-16;
+  }
+  return sample(options, kRandomLinearBox, [&](std::size_t, const Point& x) {
+    Tensor<double> t;
+    for (int i = 0; i < 9; ++i) t[i] = c[0][i] + x[0] * c[1][i] + (x[1] * c[2][i] + x[2] * c[3][i]);
+    return t;
+  });
+}
+
+TensorField generate_noise(const GridOptions& options) {
+  return sample(options, kNoiseBox, [&](std::size_t i, const Point&) {
+    detail::SplitMix64 random(~options.seed, i);
+    Tensor<double> t;
+    for (double& x : t) x = random.next_signed();
+    return t;
+  });
+}
+
+std::span<const GeneratorRow> generator_table() {
+  static constexpr std::array<GeneratorRow, 5> table{{
+      {"lorenz", "gradient of the Lorenz system",
+       [](const GridOptions& options) { return generate_lorenz(options); }},
+      {"abc", "gradient of the Arnold-Beltrami-Childress flow",
+       [](const GridOptions& options) { return generate_abc(options); }},
+      {"rayleigh-benard", "velocity gradient of two Rayleigh-Benard convection cells",
+       [](const GridOptions& options) { return generate_rayleigh_benard(options); }},
+      {"random-linear", "random field that is linear in space", generate_random_linear},
+      {"noise", "independent random tensors", generate_noise},
+  }};
+  return table;
+}
+
+const GeneratorRow* generator_named(std::string_view name) {
+  for (const GeneratorRow& row : generator_table()) {
+    if (row.name == name) return &row;
+  }
+  return nullptr;
+}
+
+}  // namespace triplex

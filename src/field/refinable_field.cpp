@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triplex/field/refinable_field.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace triplex {
+namespace {
+
+double largest_entry(const Tensor<double>& t) {
+  double m = 0;
+  for (const double x : t) m = std::fmax(m, std::fabs(x));
+  return m;
+}
+
+/// The exponent that brings the largest entry of the field into [1/2, 1); 0 for a zero field.
+int common_scale(const std::vector<Tensor<double>>& tensors) {
+  double m = 0;
+  for (const auto& t : tensors) m = std::fmax(m, largest_entry(t));
+  int exponent = 0;
+  if (m > 0) std::frexp(m, &exponent);
+  return -exponent;
+}
+
+/// What scaling down may lose: one rounding below the smallest normal double, tripled and summed.
+constexpr double kUnderflow = 0x1p-1070;
+
+/// With m = max |t| every sum of differences in `triple_deviator` is below 4 m and takes three
+/// roundings on terms below 2 m, 2 m and 4 m: error <= 8 u m.
+ApproximateTensor approximate_input(const Tensor<double>& tensor, int exponent) {
+  Tensor<double> scaled;
+  for (int i = 0; i < 9; ++i) scaled[i] = std::ldexp(tensor[i], exponent);
+  ApproximateTensor r;
+  r.a = triple_deviator(scaled);
+  r.bounds.magnitude = largest_entry(r.a);
+  r.bounds.error = gamma(8) * largest_entry(scaled) + kUnderflow;
+  return r;
+}
+
+}  // namespace
+
+RefinableField::RefinableField(const TensorField& field)
+    : field_(&field), input_of_(field.mesh.points.size()) {
+  const auto& points = field.mesh.points;
+  std::iota(input_of_.begin(), input_of_.end(), 0u);
+  tbb::parallel_sort(input_of_.begin(), input_of_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return points[a] != points[b] ? points[a] < points[b] : a < b;  // equal: unused points only
+  });
+  std::vector<VertexId> rank(points.size());
+  for (std::size_t i = 0; i < input_of_.size(); ++i) rank[input_of_[i]] = VertexId(i);
+
+  input_tets_.resize(field.mesh.tets.size());
+  const auto tets = tbb::blocked_range<std::size_t>(0, input_tets_.size(), 4096);
+  tbb::parallel_for(tets, [&](const auto& range) {
+    for (std::size_t t = range.begin(); t < range.end(); ++t)
+      for (int i = 0; i < 4; ++i) input_tets_[t][i] = rank[index(field.mesh.tets[t][i])];
+  });
+
+  scale_exponent_ = common_scale(field.tensors);
+  approximations_.resize(points.size());
+  const auto vertices = tbb::blocked_range<std::size_t>(0, points.size(), 4096);
+  tbb::parallel_for(vertices, [&](const auto& range) {
+    for (std::size_t v = range.begin(); v < range.end(); ++v)
+      approximations_[v] = approximate_input(field.tensors[input_of_[v]], scale_exponent_);
+  });
+}
+
+RefinableField::Combination RefinableField::combination(VertexId v) const {
+  if (!is_input(v)) return midpoints_[index(v) - input_of_.size()];
+  return {{v}, {1}, 0};
+}
+
+Tensor<Exact> RefinableField::exact(VertexId v) const {
+  const Combination c = combination(v);
+  Tensor<Exact> sum;
+  for (int i = 0; i < 4; ++i) {
+    if (c.numerators[i] == 0) continue;
+    // n < 2^51 is exact as a double, and so is the scaling by a power of two.
+    const Exact weight(std::ldexp(static_cast<double>(c.numerators[i]), -c.depth));
+    const Tensor<double>& t = field_->tensors[input_of_[index(c.vertices[i])]];
+    for (int k = 0; k < 9; ++k) sum[k] = sum[k] + weight * Exact(t[k]);
+  }
+  return triple_deviator(sum);
+}
+
+Point RefinableField::position(VertexId v) const {
+  const Combination c = combination(v);
+  if (c.depth == 0) return field_->mesh.points[input_of_[index(v)]];
+  std::array<long double, 3> x{};  // wider than double, so that weights of few bits add no rounding
+  for (int i = 0; i < 4; ++i) {
+    if (c.numerators[i] == 0) continue;
+    const long double weight = std::ldexp(static_cast<long double>(c.numerators[i]), -c.depth);
+    const Point& corner = field_->mesh.points[input_of_[index(c.vertices[i])]];
+    for (int k = 0; k < 3; ++k) x[k] += weight * corner[k];
+  }
+  return {static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2])};
+}
+
+std::optional<VertexId> RefinableField::add_midpoint(VertexId a, VertexId b) {
+  const std::array<Combination, 2> ends = {combination(a), combination(b)};
+  Combination middle;
+  middle.depth = std::max(ends[0].depth, ends[1].depth) + 1;
+  if (middle.depth > kMaxDepth) return std::nullopt;
+  int used = 0;
+  for (const Combination& end : ends) {
+    for (int i = 0; i < 4; ++i) {
+      if (end.numerators[i] == 0) continue;
+      const std::uint64_t n = end.numerators[i] << (middle.depth - 1 - end.depth);
+      const auto known = std::find(middle.vertices.begin(), middle.vertices.begin() + used,
+                                   end.vertices[i]);
+      const auto slot = known - middle.vertices.begin();
+      if (slot == used) middle.vertices[used++] = end.vertices[i];
+      middle.numerators[slot] += n;
+    }
+  }
+
+  // Weights are exact and sum to one; each entry takes one product and three sums: 4 roundings.
+  ApproximateTensor r{};
+  for (int i = 0; i < used; ++i) {
+    const double w = std::ldexp(static_cast<double>(middle.numerators[i]), -middle.depth);
+    const ApproximateTensor& corner = approximations_[index(middle.vertices[i])];
+    for (int k = 0; k < 9; ++k) r.a[k] += w * corner.a[k];
+    r.bounds.error =
+        std::fmax(r.bounds.error, corner.bounds.error + gamma(5) * corner.bounds.magnitude);
+  }
+  r.bounds.magnitude = largest_entry(r.a);
+  midpoints_.push_back(middle);
+  approximations_.push_back(r);
+  return VertexId(approximations_.size() - 1);
+}
+
+}  // namespace triplex

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <unistd.h>
+#include <vtkErrorCode.h>
+#include <vtkUnstructuredGridReader.h>
+#include <vtkXMLPUnstructuredGridReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "triplex/field/bad_input.hpp"
+#include "vtk_grid.hpp"
+#include "vtk_messages.hpp"
+
+namespace triplex::detail {
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string lower_extension(const fs::path& file) {
+  std::string text = file.extension().string();
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+void check_readable(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) throw BadInput("there is no such file; check the name");
+  if (fs::is_directory(status)) throw BadInput("this is a directory; give the name of a file");
+  if (::access(file.c_str(), R_OK) != 0) {
+    throw BadInput("the file cannot be opened for reading; check its permissions");
+  }
+  if (fs::is_regular_file(status) && fs::file_size(file, error) == 0) {
+    throw BadInput("the file is empty; write it again");
+  }
+}
+
+/// Runs a reader; whatever VTK has to say about it becomes one line.
+template <class Reader>
+vtkSmartPointer<vtkUnstructuredGrid> run(Reader& reader, const VtkMessages& messages) {
+  reader.Update();
+  const std::string error = messages.first_error();
+  if (!error.empty() || reader.GetErrorCode() != vtkErrorCode::NoError) {
+    throw BadInput(fmt::format("the file is damaged or incomplete ({}); write it again",
+                               error.empty() ? "its data could not be read" : error));
+  }
+  vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(reader.GetOutputDataObject(0));
+  if (grid == nullptr) throw BadInput("the file holds no unstructured grid; convert it to one");
+  return grid;
+}
+
+template <class Reader>
+vtkSmartPointer<vtkUnstructuredGrid> load_xml(const fs::path& file, const char* what) {
+  const VtkMessages messages;
+  const auto reader = vtkSmartPointer<Reader>::New();
+  if (!reader->CanReadFile(file.c_str())) {
+    throw BadInput(fmt::format(
+        "this is no {} file (VTK XML, unstructured grid); check the extension or write it again",
+        what));
+  }
+  reader->SetFileName(file.c_str());
+  return run(*reader, messages);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> load_legacy(const fs::path& file) {
+  const VtkMessages messages;
+  const auto reader = vtkSmartPointer<vtkUnstructuredGridReader>::New();
+  reader->SetFileName(file.c_str());
+  if (!reader->IsFileUnstructuredGrid()) {
+    throw BadInput(
+        "this is no legacy .vtk file with an unstructured grid; check the extension or convert it");
+  }
+  reader->ReadAllTensorsOn();
+  reader->ReadAllFieldsOn();
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  return run(*reader, messages);
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkUnstructuredGrid> load_grid(const fs::path& file) {
+  const std::string extension = lower_extension(file);
+  if (extension != ".vtu" && extension != ".pvtu" && extension != ".vtk") {
+    throw BadInput("unknown kind of file; give a .vtu, .pvtu or legacy .vtk file");
+  }
+  check_readable(file);
+  if (extension == ".vtu") return load_xml<vtkXMLUnstructuredGridReader>(file, ".vtu");
+  if (extension == ".pvtu") return load_xml<vtkXMLPUnstructuredGridReader>(file, ".pvtu");
+  return load_legacy(file);
+}
+
+}  // namespace triplex::detail

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bisection.hpp"
+
+namespace triplex {
+
+MarkedEdges::MarkedEdges(std::vector<Mark> marks, RefinableField& field) {
+  // One mark per edge, with its largest variation.
+  std::sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) {
+    return a.edge != b.edge ? a.edge < b.edge : a.variation > b.variation;
+  });
+  const auto same_edge = [](const Mark& a, const Mark& b) { return a.edge == b.edge; };
+  marks.erase(std::unique(marks.begin(), marks.end(), same_edge), marks.end());
+  std::stable_sort(marks.begin(), marks.end(),
+                   [](const Mark& a, const Mark& b) { return a.variation > b.variation; });
+
+  ends_.assign(field.vertex_count(), 0);
+  by_edge_.reserve(marks.size());
+  for (const Mark& mark : marks) {
+    const auto midpoint = field.add_midpoint(mark.edge[0], mark.edge[1]);
+    if (!midpoint) continue;
+    by_edge_.push_back({mark.edge, static_cast<std::uint32_t>(by_edge_.size()), *midpoint});
+    for (const VertexId v : mark.edge) ends_[index(v)] = 1;
+  }
+  std::sort(by_edge_.begin(), by_edge_.end(),
+            [](const Entry& a, const Entry& b) { return a.edge < b.edge; });
+}
+
+const MarkedEdges::Entry* MarkedEdges::first_in(const Leaf& leaf) const {
+  const Entry* first = nullptr;
+  for (int i = 0; i < 4; ++i) {
+    if (!is_end(leaf.vertices[i])) continue;
+    for (int j = i + 1; j < 4; ++j) {
+      if (!is_end(leaf.vertices[j])) continue;
+      const std::array edge = {leaf.vertices[i], leaf.vertices[j]};
+      const auto found =
+          std::lower_bound(by_edge_.begin(), by_edge_.end(), edge,
+                           [](const Entry& e, const auto& key) { return e.edge < key; });
+      if (found == by_edge_.end() || found->edge != edge) continue;
+      if (first == nullptr || found->order < first->order) first = &*found;
+    }
+  }
+  return first;
+}
+
+void bisect(const Leaf& leaf, const MarkedEdges& marked, std::vector<Leaf>& out) {
+  const auto* mark = marked.first_in(leaf);
+  if (mark == nullptr) {
+    out.push_back(leaf);
+    return;
+  }
+  for (const VertexId replaced : mark->edge) {
+    // The midpoint takes the place of one end, then moves to the back: 3 - i swaps of neighbours.
+    Leaf child{.vertices = leaf.vertices, .input = leaf.input, .flipped = leaf.flipped};
+    const auto i = std::find(child.vertices.begin(), child.vertices.end(), replaced);
+    const auto swaps = child.vertices.end() - 1 - i;
+    std::move(i + 1, child.vertices.end(), i);
+    child.vertices[3] = mark->midpoint;
+    child.flipped = child.flipped != (swaps % 2 != 0);
+    bisect(child, marked, out);
+  }
+}
+
+}  // namespace triplex

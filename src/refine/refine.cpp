@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triplex/refine/refine.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "bisection.hpp"
+
+namespace triplex {
+namespace {
+
+constexpr std::size_t kGrain = 256;       // tets per task
+constexpr std::size_t kSlice = 1u << 16;  // tets between progress reports
+
+using StagesPerThread = tbb::enumerable_thread_specific<SignStages>;
+
+class Refinement {
+ public:
+  Refinement(const TensorField& input, const RefineOptions& options)
+      : options_(options), complex_(input), spent_(input.mesh.tets.size(), 0) {}
+
+  RefinedComplex run() {
+    place_input_tets();
+    label_vertices();
+    while (!pending_.empty()) {
+      std::vector<Mark> marks = certify_pending();
+      pending_.clear();
+      if (marks.empty()) break;
+      complex_.rounds += 1;
+      bisect_marked(std::move(marks));
+      label_vertices();
+    }
+    for (const SignStages& stages : stages_) complex_.sign_stages += stages;
+    return std::move(complex_);
+  }
+
+ private:
+  /// Vertices ascending; every swap flips the orientation, which the input check made positive.
+  void place_input_tets() {
+    const auto& tets = complex_.field.input_tets();
+    complex_.leaves.resize(tets.size());
+    pending_.resize(tets.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tets.size(), 4096), [&](const auto& range) {
+      for (std::size_t t = range.begin(); t < range.end(); ++t) {
+        Leaf leaf{.vertices = tets[t], .input = TetId(t)};
+        auto& v = leaf.vertices;
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3 - i; ++j)
+            if (v[j + 1] < v[j]) {
+              std::swap(v[j], v[j + 1]);
+              leaf.flipped = !leaf.flipped;
+            }
+        complex_.leaves[t] = leaf;
+        pending_[t] = static_cast<std::uint32_t>(t);
+      }
+    });
+  }
+
+  /// Labels the vertices that have none yet.
+  void label_vertices() {
+    const std::size_t first = complex_.sectors.size();
+    const std::size_t count = complex_.field.vertex_count();
+    complex_.sectors.resize(count, kOpenSector);
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(first, count, kGrain), [&](const auto& range) {
+          SignStages& stages = stages_.local();
+          for (std::size_t v = range.begin(); v < range.end(); ++v) {
+            const auto sector = sector_at(complex_.field, VertexId(v), stages);
+            if (sector) complex_.sectors[v] = static_cast<std::uint8_t>(*sector);
+          }
+        });
+  }
+
+  /// Certifies the pending tets; returns the edges that open ones ask to bisect.
+  std::vector<Mark> certify_pending() {
+    wishes_.resize(pending_.size());
+    for (std::size_t start = 0; start < pending_.size(); start += kSlice) {
+      if (options_.interrupted && options_.interrupted->load()) throw RefinementInterrupted{};
+      const std::size_t end = std::min(start + kSlice, pending_.size());
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(start, end, kGrain), [&](const auto& range) {
+        SignStages& stages = stages_.local();
+        for (std::size_t n = range.begin(); n < range.end(); ++n) wishes_[n] = certify(n, stages);
+      });
+      if (options_.progress) options_.progress(progress(end));
+    }
+    return collect_marks();
+  }
+  double progress(std::size_t done) const {
+    return complex_.rounds > 0 ? -1 : static_cast<double>(done) / static_cast<double>(pending_.size());
+  }
+
+  Mark certify(std::size_t n, SignStages& stages) {
+    Leaf& leaf = complex_.leaves[pending_[n]];
+    const auto certificate =
+        certify_cell(complex_.field, leaf.vertices, complex_.sectors, options_.features, stages);
+    leaf.graph = certificate.graph;
+    leaf.open = certificate.open;
+    leaf.has_spine_proof = certificate.has_spine_proof;
+    leaf.obstacle = certificate.obstacle;
+    return {certificate.edge, certificate.variation};
+  }
+
+  /// A tet may ask as long as its input tet had budget left when the round began.
+  std::vector<Mark> collect_marks() {
+    std::vector<Mark> marks;
+    if (options_.max_tets > 0 && complex_.leaves.size() > options_.max_tets) {
+      complex_.hit_size_limit = true;
+      return marks;
+    }
+    const std::vector<std::uint32_t> spent_before = spent_;
+    for (std::size_t n = 0; n < pending_.size(); ++n) {
+      const Leaf& leaf = complex_.leaves[pending_[n]];
+      if (leaf.open == 0 || leaf.obstacle == Obstacle::Vertex) continue;
+      if (spent_before[index(leaf.input)] >= options_.max_bisections) continue;
+      spent_[index(leaf.input)] += 1;
+      marks.push_back(wishes_[n]);
+    }
+    return marks;
+  }
+
+  /// Replaces every tet with marked edges by its parts; the parts become pending.
+  void bisect_marked(std::vector<Mark> marks) {
+    const MarkedEdges marked(std::move(marks), complex_.field);
+    complex_.bisections += marked.size();
+
+    touched_.assign(complex_.leaves.size(), 0);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, touched_.size(), 4096),
+                      [&](const auto& range) {
+                        for (std::size_t n = range.begin(); n < range.end(); ++n) {
+                          const Leaf& leaf = complex_.leaves[n];
+                          touched_[n] = marked.touches(leaf) && marked.first_in(leaf) != nullptr;
+                        }
+                      });
+    std::vector<Leaf> parts;
+    for (std::size_t n = 0; n < touched_.size(); ++n) {
+      if (!touched_[n]) continue;
+      parts.clear();
+      bisect(complex_.leaves[n], marked, parts);
+      complex_.leaves[n] = parts.front();
+      pending_.push_back(static_cast<std::uint32_t>(n));
+      for (std::size_t i = 1; i < parts.size(); ++i) {
+        pending_.push_back(static_cast<std::uint32_t>(complex_.leaves.size()));
+        complex_.leaves.push_back(parts[i]);
+      }
+    }
+  }
+
+  const RefineOptions& options_;
+  RefinedComplex complex_;
+  StagesPerThread stages_;
+  std::vector<std::uint32_t> spent_;    // bisections asked for, per input tet
+  std::vector<std::uint32_t> pending_;  // leaves without a current certificate
+  std::vector<Mark> wishes_;            // per pending leaf: the edge it would bisect
+  std::vector<std::uint8_t> touched_;
+};
+
+}  // namespace
+
+RefinedComplex refine(const TensorField& input, const RefineOptions& options) {
+  return Refinement(input, options).run();
+}
+
+}  // namespace triplex

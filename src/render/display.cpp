@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "display.hpp"
+
+#include <X11/Xlib.h>
+
+#include "triplex/render/render.hpp"
+
+namespace triplex {
+
+void require_display() {
+  Display* const display = XOpenDisplay(nullptr);
+  if (display == nullptr) {
+    throw RenderError(
+        "no X display to draw on; run it under a virtual one: "
+        "xvfb-run -a -s \"-screen 0 1280x1024x24\" triplex render ...");
+  }
+  XCloseDisplay(display);
+}
+
+}  // namespace triplex

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene.hpp"
+
+#include <vtkActor.h>
+#include <vtkBoundingBox.h>
+#include <vtkCamera.h>
+#include <vtkLegendBoxActor.h>
+#include <vtkNew.h>
+#include <vtkOutlineSource.h>
+#include <vtkPlaneSource.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <string>
+
+namespace triplex {
+namespace {
+
+void add_feature(vtkRenderer* renderer, const DrawnFeature& drawn, int height) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(drawn.mesh);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkProperty* const look = actor->GetProperty();
+  const auto [red, green, blue] = drawn.row->color;
+  look->SetColor(red, green, blue);
+  if (drawn.row->feature == Feature::TripleCurve) {
+    look->SetLineWidth(static_cast<float>(std::max(2.0, height / 250.0)));
+    look->LightingOff();
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-4, -4);  // in front of the surfaces
+  } else {
+    look->SetAmbient(0.25);
+    look->SetDiffuse(0.75);
+    look->SetSpecular(0.15);
+    look->SetSpecularPower(20);
+  }
+  renderer->AddActor(actor);
+}
+
+void add_outline(vtkRenderer* renderer, const vtkBoundingBox& box) {
+  double bounds[6];
+  box.GetBounds(bounds);
+  vtkNew<vtkOutlineSource> outline;
+  outline->SetBounds(bounds);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(outline->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.35, 0.35, 0.35);
+  actor->GetProperty()->LightingOff();
+  renderer->AddActor(actor);
+}
+
+void add_legend(vtkRenderer* renderer, const std::vector<DrawnFeature>& features) {
+  if (features.empty()) return;
+  vtkNew<vtkPlaneSource> swatch;
+  swatch->Update();
+  vtkNew<vtkLegendBoxActor> legend;
+  legend->SetNumberOfEntries(static_cast<int>(features.size()));
+  for (std::size_t k = 0; k < features.size(); ++k) {
+    std::array<double, 3> color = features[k].row->color;
+    const std::string title(features[k].row->title);
+    legend->SetEntry(static_cast<int>(k), swatch->GetOutput(), title.c_str(), color.data());
+  }
+  legend->GetEntryTextProperty()->SetColor(0, 0, 0);
+  legend->BorderOff();
+  legend->LockBorderOn();
+  legend->SetPosition(0.015, 0.015);
+  legend->SetPosition2(0.30, 0.032 * static_cast<double>(features.size()));
+  renderer->AddActor(legend);
+}
+
+void place_camera(vtkRenderer* renderer, const vtkBoundingBox& box, CameraPreset preset) {
+  double center[3];
+  box.GetCenter(center);
+  std::array<double, 3> from{};
+  std::array<double, 3> up = {0, 0, 1};
+  switch (preset) {
+    case CameraPreset::Diagonal:
+      from = {0.62, -1, 0.55};
+      break;
+    case CameraPreset::X:
+      from = {1, 0, 0};
+      break;
+    case CameraPreset::Y:
+      from = {0, 1, 0};
+      break;
+    case CameraPreset::Z:
+      from = {0, 0, 1};
+      up = {0, 1, 0};
+      break;
+  }
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  camera->SetFocalPoint(center);
+  camera->SetPosition(center[0] + from[0], center[1] + from[1], center[2] + from[2]);
+  camera->SetViewUp(up.data());
+  double bounds[6];
+  box.GetBounds(bounds);
+  renderer->ResetCamera(bounds);
+  camera->Zoom(1.25);
+  renderer->ResetCameraClippingRange(bounds);
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkRenderer> make_scene(const std::vector<DrawnFeature>& features,
+                                        const RenderOptions& options) {
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  renderer->SetBackground(1, 1, 1);
+  renderer->UseFXAAOn();
+  vtkBoundingBox box;
+  for (const DrawnFeature& drawn : features) {
+    add_feature(renderer, drawn, options.height);
+    box.AddBounds(drawn.mesh->GetBounds());
+  }
+  if (options.outline) {
+    const auto& [x, y, z] = *options.outline;
+    box.AddBox(vtkBoundingBox(x[0], x[1], y[0], y[1], z[0], z[1]));
+  }
+  if (!box.IsValid()) box.SetBounds(0, 1, 0, 1, 0, 1);
+  add_outline(renderer, box);
+  add_legend(renderer, features);
+  place_camera(renderer, box, options.camera);
+  return renderer;
+}
+
+}  // namespace triplex

@@ -1,0 +1,363 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triplex/field/generators.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <set>
+#include <tuple>
+
+#include "triplex/field/input_check.hpp"
+
+namespace triplex {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kPi = std::numbers::pi;
+
+Tensor<double> deviator(Tensor<double> t) {
+  const double third = (t[0] + t[4] + t[8]) / 3;
+  for (int i = 0; i < 9; i += 4) t[i] -= third;
+  return t;
+}
+
+double det(const Tensor<double>& a) {
+  return a[0] * (a[4] * a[8] - a[5] * a[7]) - a[1] * (a[3] * a[8] - a[5] * a[6]) +
+         a[2] * (a[3] * a[7] - a[4] * a[6]);
+}
+
+/// The sum of the principal 2x2 minors.
+double second_invariant(const Tensor<double>& a) {
+  return a[0] * a[4] - a[1] * a[3] + a[0] * a[8] - a[2] * a[6] + a[4] * a[8] - a[5] * a[7];
+}
+
+bool same_bits(const Tensor<double>& a, const Tensor<double>& b) {
+  return std::memcmp(a.data(), b.data(), sizeof a) == 0;
+}
+
+std::string message_of(const GridOptions& options) {
+  try {
+    generate_noise(options);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+/// FNV-1a over the bytes of points, tets and tensors.
+std::uint64_t fingerprint(const TensorField& field) {
+  std::uint64_t hash = 0xcbf29ce484222325ull;
+  const auto add = [&](const void* data, std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i) {
+      hash = (hash ^ static_cast<const unsigned char*>(data)[i]) * 0x100000001b3ull;
+    }
+  };
+  add(field.mesh.points.data(), field.mesh.points.size() * sizeof(Point));
+  add(field.mesh.tets.data(), field.mesh.tets.size() * sizeof(field.mesh.tets[0]));
+  add(field.tensors.data(), field.tensors.size() * sizeof(field.tensors[0]));
+  return hash;
+}
+
+// ---- closed forms ----
+
+TEST(Generators, LorenzFollowsItsClosedForms) {
+  const TensorField field = generate_lorenz({.n = 9, .jitter = 0.15, .seed = 5});
+  for (std::size_t i = 0; i < field.tensors.size(); ++i) {
+    const auto [x, y, z] = field.mesh.points[i];
+    const Tensor<double> a = deviator(field.tensors[i]);
+    const double p = x * x + 10 * z - 8179.0 / 27;
+    const double q = -(49.0 / 9) * x * x - 10 * x * y + (170.0 / 9) * z - 412216.0 / 729;
+    EXPECT_NEAR(second_invariant(a), p, 1e-11) << i;
+    EXPECT_NEAR(det(a), q, 1e-10) << i;
+  }
+}
+
+TEST(Generators, LorenzBoxHoldsNodeAndSpine) {
+  const TensorField field = generate_lorenz({.n = 2});
+  const Point lo = field.mesh.points.front(), hi = field.mesh.points.back();
+  // The node, and a point on each branch of the spine.
+  for (const double x : {0.0, 5.0, -5.0}) {
+    const double w = 17.0 / 9;
+    const double y = x == 0 ? 0 : (w * w * w - 22.0 / 3 * x * x) / (10 * x);
+    const double z = x == 0 ? 263.0 / 9 : (8179.0 / 27 - x * x) / 10;
+    EXPECT_TRUE(lo[0] < x && x < hi[0] && lo[1] < y && y < hi[1] && lo[2] < z && z < hi[2]);
+    const Tensor<double> a = deviator(lorenz_gradient({x, y, z}));
+    if (x == 0) {  // the double eigenvalue 17/9 has a plane of eigenvectors: A - l I has rank 1
+      Tensor<double> m = a;
+      for (int i = 0; i < 9; i += 4) m[i] -= w;
+      for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c) {
+          const int r1 = (r + 1) % 3, c1 = (c + 1) % 3;
+          EXPECT_NEAR(m[3 * r + c] * m[3 * r1 + c1] - m[3 * r + c1] * m[3 * r1 + c], 0, 1e-12);
+        }
+      }
+    } else {
+      EXPECT_NEAR(second_invariant(a), 0, 1e-11);
+      EXPECT_NEAR(det(a), 0, 1e-11);
+    }
+  }
+}
+
+TEST(Generators, AbcFollowsItsClosedForm) {
+  const AbcParameters f;
+  EXPECT_EQ(f.b, std::sqrt(2.0 / 3));
+  EXPECT_EQ(f.c, std::sqrt(1.0 / 3));
+  const TensorField field = generate_abc({.n = 7, .jitter = 0.15});
+  for (std::size_t i = 0; i < field.tensors.size(); ++i) {
+    const auto [x, y, z] = field.mesh.points[i];
+    const double q = f.a * f.b * f.c *
+                     (std::cos(x) * std::cos(y) * std::cos(z) - std::sin(x) * std::sin(y) * std::sin(z));
+    EXPECT_NEAR(det(field.tensors[i]), q, 1e-14);
+    EXPECT_EQ(field.tensors[i][0] + field.tensors[i][4] + field.tensors[i][8], 0);
+  }
+}
+
+TEST(Generators, AbcIsPeriodicBitForBit) {
+  for (const CellSplit split : {CellSplit::Six, CellSplit::Five}) {
+    const int n = 6;
+    const TensorField field = generate_abc({.n = n, .jitter = 0.2, .split = split});
+    const auto id = [&](int i, int j, int k) {
+      return (static_cast<std::size_t>(k) * (n + 1) + j) * (n + 1) + i;
+    };
+    for (int a = 0; a <= n; ++a) {
+      for (int b = 0; b <= n; ++b) {
+        EXPECT_TRUE(same_bits(field.tensors[id(0, a, b)], field.tensors[id(n, a, b)]));
+        EXPECT_TRUE(same_bits(field.tensors[id(a, 0, b)], field.tensors[id(a, n, b)]));
+        EXPECT_TRUE(same_bits(field.tensors[id(a, b, 0)], field.tensors[id(a, b, n)]));
+      }
+    }
+  }
+}
+
+TEST(Generators, AbcCopiesOnlyWholePeriods) {
+  const Box box{{0, 0, 0}, {2 * kPi, 1, 1}};
+  const TensorField field = generate_abc({.n = 1, .box = box});
+  EXPECT_TRUE(same_bits(field.tensors[0], field.tensors[1]));
+  EXPECT_FALSE(same_bits(field.tensors[0], field.tensors[2]));
+  EXPECT_FALSE(same_bits(field.tensors[0], field.tensors[4]));
+}
+
+TEST(Generators, RayleighBenardGradientIsThatOfTheVelocity) {
+  const double h = 0x1p-18;
+  for (const auto& f : {RayleighBenardParameters{}, RayleighBenardParameters{0.3, -0.7}}) {
+    const TensorField mesh = generate_rayleigh_benard({.n = 4, .jitter = 0.15});
+    for (const Point& x : mesh.mesh.points) {
+      const Tensor<double> t = rayleigh_benard_gradient(x, f);
+      for (int j = 0; j < 3; ++j) {
+        Point up = x, down = x;
+        up[j] += h;
+        down[j] -= h;
+        const Point u = rayleigh_benard_velocity(up, f), d = rayleigh_benard_velocity(down, f);
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(t[3 * i + j], (u[i] - d[i]) / (2 * h), 1e-8);
+      }
+      EXPECT_NEAR(t[0] + t[4] + t[8], 0, 1e-14);
+      const RayleighBenardParameters no_swirl{f.modulation, 0};
+      const Tensor<double> s = rayleigh_benard_gradient(x, no_swirl);
+      EXPECT_NEAR(s[3] - s[1], 0, 1e-14) << "vertical vorticity";
+    }
+  }
+}
+
+TEST(Generators, RayleighBenardStaysInItsBox) {
+  const TensorField field = generate_rayleigh_benard({.n = 5});
+  const Point hi{2, 1, 1};
+  EXPECT_EQ(field.mesh.points.back(), hi);
+  for (const Point& x : field.mesh.points) {
+    const Point u = rayleigh_benard_velocity(x);
+    for (int k = 0; k < 3; ++k) {
+      if (x[k] == 0 || x[k] == hi[k]) {
+        EXPECT_NEAR(u[k], 0, 1e-15);
+      }
+    }
+  }
+  // Two cells: up at both ends, down in the middle.
+  EXPECT_GT(rayleigh_benard_velocity({0, 0.5, 0.5})[2], 0.5);
+  EXPECT_LT(rayleigh_benard_velocity({1, 0.5, 0.5})[2], -0.5);
+  EXPECT_GT(rayleigh_benard_velocity({2, 0.5, 0.5})[2], 0.5);
+}
+
+TEST(Generators, RandomLinearIsExactlyLinearOnEveryDyadicGrid) {
+  for (const std::uint64_t seed : {1u, 2u, 99u}) {
+    // The coefficients from the corners of the box [-1,1]^3: exact, as all numbers are short.
+    const TensorField coarse = generate_random_linear({.n = 1, .seed = seed});
+    for (const int n : {4, 16}) {
+      const TensorField fine = generate_random_linear({.n = n, .jitter = 0.15, .seed = seed});
+      for (std::size_t v = 0; v < fine.tensors.size(); ++v) {
+        const Point& x = fine.mesh.points[v];
+        for (int i = 0; i < 9; ++i) {
+          const double origin = coarse.tensors[0][i];
+          double value = origin;
+          for (int k = 0; k < 3; ++k) {
+            value += (coarse.tensors[std::size_t{1} << k][i] - origin) / 2 * (x[k] + 1);
+          }
+          EXPECT_EQ(fine.tensors[v][i], value);
+        }
+      }
+    }
+  }
+  EXPECT_NE(generate_random_linear({.n = 1, .seed = 1}).tensors,
+            generate_random_linear({.n = 1, .seed = 2}).tensors);
+}
+
+TEST(Generators, NoiseIsIndependentAndInRange) {
+  const TensorField field = generate_noise({.n = 10});
+  std::set<double> values;
+  double sum = 0, largest = 0;
+  for (const auto& t : field.tensors) {
+    for (const double x : t) {
+      values.insert(x);
+      sum += x;
+      largest = std::fmax(largest, std::fabs(x));
+    }
+  }
+  EXPECT_EQ(values.size(), 9 * field.tensors.size());
+  EXPECT_LT(std::fabs(sum) / static_cast<double>(values.size()), 0.02);
+  EXPECT_LE(largest, 1);
+  EXPECT_GT(largest, 0.99);
+}
+
+// ---- the mesh ----
+
+TEST(Generators, SizesAndVolume) {
+  for (const auto& [split, per_cell] : {std::pair{CellSplit::Six, 6}, {CellSplit::Five, 5}}) {
+    const TensorField field = generate_noise({.n = 4, .jitter = 0.1, .split = split});
+    EXPECT_EQ(field.mesh.tets.size(), per_cell * 64u);
+    EXPECT_EQ(field.mesh.points.size(), 125u);
+    double volume = 0;
+    for (const auto& t : field.mesh.tets) {
+      Tensor<double> edges;
+      for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) {
+          edges[3 * i + k] =
+              field.mesh.points[index(t[i + 1])][k] - field.mesh.points[index(t[0])][k];
+        }
+      }
+      volume += det(edges) / 6;
+    }
+    EXPECT_NEAR(volume, 1, 1e-13);
+  }
+}
+
+TEST(Generators, AllPassTheInputCheck) {
+  EXPECT_EQ(generator_table().size(), 5u);
+  for (const GeneratorRow& row : generator_table()) {
+    for (const CellSplit split : {CellSplit::Six, CellSplit::Five}) {
+      for (const double jitter : {0.0, 0.11}) {
+        const TensorField field = row.generate({.n = 7, .jitter = jitter, .split = split});
+        EXPECT_NO_THROW(check_input(field)) << row.name;
+        EXPECT_EQ(field.array_name, "tensor");
+      }
+    }
+    EXPECT_EQ(generator_named(row.name), &row);
+  }
+  EXPECT_EQ(generator_named("lorentz"), nullptr);
+}
+
+TEST(Generators, KuhnGridMatchesAcrossOppositeSides) {
+  // Faces on the side x = 0, moved by n in i, are faces on the side x = n; and so for y and z.
+  const int n = 3;
+  const TensorField field = generate_noise({.n = n});
+  const int stride[3] = {1, n + 1, (n + 1) * (n + 1)};
+  const auto coordinate = [&](std::size_t v, int axis) {
+    return static_cast<int>(v) / stride[axis] % (n + 1);
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    std::set<std::set<std::size_t>> low, high;
+    for (const auto& tet : field.mesh.tets) {
+      for (int skip = 0; skip < 4; ++skip) {
+        std::set<std::size_t> face;
+        for (int i = 0; i < 4; ++i) {
+          if (i != skip) face.insert(index(tet[i]));
+        }
+        const auto all_at = [&](int value) {
+          for (const std::size_t v : face) {
+            if (coordinate(v, axis) != value) return false;
+          }
+          return true;
+        };
+        if (all_at(0)) {
+          std::set<std::size_t> moved;
+          for (const std::size_t v : face) moved.insert(v + static_cast<std::size_t>(n * stride[axis]));
+          low.insert(moved);
+        }
+        if (all_at(n)) high.insert(face);
+      }
+    }
+    EXPECT_EQ(low.size(), 2u * n * n);
+    EXPECT_EQ(low, high);
+  }
+}
+
+TEST(Generators, JitterMovesInteriorVerticesOnlyAndNotFar) {
+  const int n = 5;
+  const TensorField still = generate_noise({.n = n});
+  const TensorField moved = generate_noise({.n = n, .jitter = 0.2, .seed = 3});
+  double farthest = 0;
+  for (std::size_t v = 0; v < still.mesh.points.size(); ++v) {
+    const Point& x = still.mesh.points[v];
+    bool interior = true;
+    for (int k = 0; k < 3; ++k) interior = interior && x[k] > 0 && x[k] < 1;
+    if (!interior) {
+      EXPECT_EQ(x, moved.mesh.points[v]);
+      continue;
+    }
+    EXPECT_NE(x, moved.mesh.points[v]);
+    for (int k = 0; k < 3; ++k) {
+      farthest = std::fmax(farthest, std::fabs(moved.mesh.points[v][k] - x[k]));
+    }
+  }
+  EXPECT_LE(farthest, 0.2 / n + 1e-15);
+  EXPECT_GT(farthest, 0.15 / n);
+}
+
+TEST(Generators, CoordinatesAreMirrorSymmetric) {
+  const TensorField field = generate_lorenz({.n = 13});
+  const std::size_t last = field.mesh.points.size() - 1;
+  for (std::size_t v = 0; v <= last; ++v) {
+    EXPECT_EQ(field.mesh.points[v][0], -field.mesh.points[last - v][0]);
+    EXPECT_EQ(field.mesh.points[v][1], -field.mesh.points[last - v][1]);
+  }
+}
+
+TEST(Generators, SameSeedSameBits) {
+  const GridOptions options{.n = 6, .jitter = 0.15, .seed = 7};
+  // Integer arithmetic and exact scaling only: these numbers hold on every machine.
+  EXPECT_EQ(fingerprint(generate_noise(options)), 123472778218455357u);
+  EXPECT_EQ(fingerprint(generate_random_linear(options)), 12172294560614020452u);
+  for (const GeneratorRow& row : generator_table()) {
+    EXPECT_EQ(fingerprint(row.generate(options)), fingerprint(row.generate(options)));
+    GridOptions other = options;
+    other.seed = 8;
+    EXPECT_NE(fingerprint(row.generate(options)), fingerprint(row.generate(other)));
+  }
+}
+
+// ---- options out of range ----
+
+TEST(Generators, RefuseImpossibleOptions) {
+  EXPECT_THAT(message_of({.n = 0}), HasSubstr("0 cells per axis"));
+  EXPECT_THAT(message_of({.n = 801}), HasSubstr("801 cells per axis"));
+  EXPECT_THAT(message_of({.n = -3}), HasSubstr("-3 cells per axis"));
+  EXPECT_THAT(message_of({.n = 2, .jitter = 0.5}), HasSubstr("jitter of 0.5"));
+  EXPECT_THAT(message_of({.n = 2, .jitter = -0.1}), HasSubstr("jitter of -0.1"));
+  EXPECT_THAT(message_of({.n = 2, .jitter = std::nan("")}), HasSubstr("jitter of nan"));
+  EXPECT_THAT(message_of({.n = 2, .box = Box{{0, 0, 0}, {1, 0, 1}}}), HasSubstr("along y"));
+  EXPECT_THAT(message_of({.n = 2, .box = Box{{0, 0, 1}, {1, 1, 0}}}), HasSubstr("along z"));
+  EXPECT_THAT(message_of({.n = 2, .box = Box{{-1e308, 0, 0}, {1e308, 1, 1}}}), HasSubstr("along x"));
+}
+
+TEST(Generators, RefuseToInvertTets) {
+  EXPECT_THAT(message_of({.n = 12, .jitter = 0.49}), HasSubstr("inverts tet"));
+  EXPECT_THAT(message_of({.n = 12, .jitter = 0.111}), testing::Eq("accepted"));
+  // 16 cells between two neighbouring doubles.
+  EXPECT_THAT(message_of({.n = 16, .box = Box{{1e17, 0, 0}, {1e17 + 16, 1, 1}}}),
+              HasSubstr("without volume"));
+}
+
+}  // namespace
+}  // namespace triplex

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triplex/io/write_polydata.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkIdList.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+#include "temporary_directory.hpp"
+
+namespace triplex {
+namespace {
+
+using test::file_content;
+using test::TemporaryDirectory;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+FeatureMesh surface() {
+  FeatureMesh mesh;
+  mesh.points = {{0, 0, 0}, {1.0 / 3, 0, 0}, {0, 0x1p-1074, 0}, {-0.0, 1e300, 0.1}};
+  mesh.triangles = {{0, 1, 2}, {2, 1, 3}};
+  mesh.p = {-1, 0.1, 1e-300, -0.0};
+  mesh.q = {1, 2, 3, 4};
+  mesh.mode = {1, std::numeric_limits<double>::infinity(), 0, 0.7};
+  mesh.source_cell = {7, std::int64_t{1} << 40};
+  mesh.certified = {1, 0};
+  return mesh;
+}
+
+vtkSmartPointer<vtkPolyData> read(const std::filesystem::path& file) {
+  const auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
+  reader->SetFileName(file.c_str());
+  testing::internal::CaptureStderr();
+  reader->Update();
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "VTK's readers must have no complaints";
+  EXPECT_EQ(reader->GetErrorCode(), 0u);
+  return reader->GetOutput();
+}
+
+bool same_bits(vtkDataArray* array, const double* values, std::size_t size) {
+  auto* doubles = vtkDoubleArray::SafeDownCast(array);
+  return doubles != nullptr && doubles->GetNumberOfValues() == static_cast<vtkIdType>(size) &&
+         (size == 0 || std::memcmp(doubles->GetPointer(0), values, size * sizeof(double)) == 0);
+}
+
+TEST(WritePolydata, RoundTripsBitForBit) {
+  const TemporaryDirectory directory;
+  const FeatureMesh mesh = surface();
+  write_polydata(directory / "a.vtp", mesh, Feature::DegeneratePlanar);
+  const auto data = read(directory / "a.vtp");
+  EXPECT_TRUE(same_bits(data->GetPoints()->GetData(), mesh.points[0].data(), 12));
+  EXPECT_TRUE(same_bits(data->GetPointData()->GetArray("p"), mesh.p.data(), 4));
+  EXPECT_TRUE(same_bits(data->GetPointData()->GetArray("q"), mesh.q.data(), 4));
+  EXPECT_TRUE(same_bits(data->GetPointData()->GetArray("mode"), mesh.mode.data(), 4));
+  ASSERT_EQ(data->GetNumberOfPolys(), 2);
+  EXPECT_EQ(data->GetNumberOfLines(), 0);
+  const auto ids = vtkSmartPointer<vtkIdList>::New();
+  for (int c = 0; c < 2; ++c) {
+    data->GetCellPoints(c, ids);
+    ASSERT_EQ(ids->GetNumberOfIds(), 3);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(ids->GetId(i), mesh.triangles[c][i]);
+  }
+  vtkCellData& cells = *data->GetCellData();
+  ASSERT_TRUE(cells.HasArray("SourceCellId") && cells.HasArray("Feature") && cells.HasArray("Certified"));
+  EXPECT_EQ(cells.GetArray("SourceCellId")->GetDataTypeSize(), 8);
+  EXPECT_EQ(cells.GetArray("SourceCellId")->GetTuple1(1), 0x1p40);
+  EXPECT_EQ(cells.GetArray("Feature")->GetTuple1(0), 4);
+  EXPECT_EQ(cells.GetArray("Feature")->GetTuple1(1), 4);
+  EXPECT_EQ(cells.GetArray("Certified")->GetTuple1(0), 1);
+  EXPECT_EQ(cells.GetArray("Certified")->GetTuple1(1), 0);
+}
+
+TEST(WritePolydata, WritesSegments) {
+  const TemporaryDirectory directory;
+  FeatureMesh mesh = surface();
+  mesh.triangles.clear();
+  mesh.segments = {{0, 1}, {1, 3}};
+  write_polydata(directory / "a.vtp", mesh, Feature::TripleCurve);
+  const auto data = read(directory / "a.vtp");
+  ASSERT_EQ(data->GetNumberOfLines(), 2);
+  EXPECT_EQ(data->GetNumberOfPolys(), 0);
+  const auto ids = vtkSmartPointer<vtkIdList>::New();
+  data->GetCellPoints(1, ids);
+  EXPECT_EQ(ids->GetId(0), 1);
+  EXPECT_EQ(ids->GetId(1), 3);
+  EXPECT_EQ(data->GetCellData()->GetArray("Feature")->GetTuple1(1), 6);
+}
+
+TEST(WritePolydata, EmptyMeshesHaveAllArrays) {
+  const TemporaryDirectory directory;
+  write_polydata(directory / "a.vtp", {}, Feature::NeutralReal);
+  const auto data = read(directory / "a.vtp");
+  EXPECT_EQ(data->GetNumberOfPoints(), 0);
+  EXPECT_EQ(data->GetNumberOfCells(), 0);
+  for (const char* name : {"mode", "p", "q"}) {
+    EXPECT_TRUE(data->GetPointData()->HasArray(name)) << name;
+  }
+  for (const char* name : {"SourceCellId", "Feature", "Certified"}) {
+    EXPECT_TRUE(data->GetCellData()->HasArray(name)) << name;
+  }
+}
+
+TEST(WritePolydata, IsInlineAndDeterministic) {
+  const TemporaryDirectory directory;
+  write_polydata(directory / "a.vtp", surface(), Feature::NeutralReal);
+  write_polydata(directory / "b.vtp", surface(), Feature::NeutralReal);
+  const std::string bytes = file_content(directory / "a.vtp");
+  EXPECT_EQ(bytes, file_content(directory / "b.vtp"));
+  EXPECT_THAT(bytes, AllOf(HasSubstr("format=\"binary\""), Not(HasSubstr("AppendedData"))));
+  EXPECT_EQ(directory.files(), 2u);
+}
+
+TEST(WritePolydata, RefusesArraysOfOtherLength) {
+  const TemporaryDirectory directory;
+  for (int i = 0; i < 5; ++i) {
+    FeatureMesh mesh = surface();
+    if (i == 0) mesh.p.pop_back();
+    if (i == 1) mesh.q.pop_back();
+    if (i == 2) mesh.mode.push_back(0);
+    if (i == 3) mesh.source_cell.pop_back();
+    if (i == 4) mesh.certified.push_back(1);
+    EXPECT_THROW(write_polydata(directory / "a.vtp", mesh, Feature::NeutralReal),
+                 std::invalid_argument);
+  }
+  EXPECT_EQ(directory.files(), 0u);
+}
+
+TEST(WritePolydata, ReportsAFullDisk) {
+  EXPECT_THROW(write_polydata("/dev/full", surface(), Feature::NeutralReal), IoError);
+}
+
+}  // namespace
+}  // namespace triplex
