@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triplex/certify/cell.hpp"
 
+#include "triplex/certify/descartes.hpp"
 #include "triplex/certify/edge_side.hpp"
 #include "triplex/certify/exclusion.hpp"
 #include "triplex/certify/graph.hpp"
@@ -67,7 +68,10 @@ class SignedSimplex {
         if (lacks_degenerate(Sign::Negative)) return true;
         break;
     }
-    return certifies_graph(simplex_, sheet, stages_);
+    if (certifies_graph(simplex_, sheet, stages_)) return true;
+    // Last, as it costs most; the tet asks for it itself, once for both degenerate sheets.
+    const bool degenerate = sheet == Sheet::DegenerateLinear || sheet == Sheet::DegeneratePlanar;
+    return N == 3 && degenerate && excludes_discriminant(simplex_, stages_);
   }
 
  private:
@@ -181,8 +185,16 @@ class CellCheck {
   template <int N>
   void check(Obstacle obstacle, SignedSimplex<N>& simplex, const Local<N>& local) {
     SheetSet failed = 0;
-    for (int s = 0; s < kSheets; ++s)
-      if ((needed_ >> s & 1u) && !simplex.certifies(static_cast<Sheet>(s))) failed |= 1u << s;
+    for (int s = 0; s < kSheets; ++s) {
+      if (!(needed_ >> s & 1u) || simplex.certifies(static_cast<Sheet>(s))) continue;
+      if constexpr (N == 2) {
+        const bool whole_sheet = kSpineSheets >> s & 1u;
+        if ((whole_sheet || !has_spine_) &&
+            certifies_one_root(*simplex, static_cast<Sheet>(s), stages_))
+          continue;
+      }
+      failed |= 1u << s;
+    }
     if (failed == 0) return;
     failed_ |= failed;
     const bool degenerate = failed & (sheet_bit(Sheet::DegenerateLinear) | sheet_bit(Sheet::DegeneratePlanar));

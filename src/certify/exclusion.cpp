@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "error_bounds.hpp"
 #include "triplex/bernstein/discriminant.hpp"
 #include "triplex/certify/witness.hpp"
 
@@ -133,25 +134,17 @@ double best_tangent(const Forms<double, N>& f, Sign s) {
   return v;
 }
 
-/// All coefficients of D have sign s. With the monomial form of P bounded coefficientwise by
-/// |P| (sum of lambda)^2 and that of Q by |Q| (sum of lambda)^3, a coefficient of 2 P^3 + 3 Q^2 is off by
-/// at most its multinomial times
-///   2 ((|P| + dP)^3 - |P|^3) + 3 ((|Q| + dQ)^2 - |Q|^2) + gamma(kDepth) (2 |P|^3 + 3 |Q|^2),
-/// where kDepth counts the roundings on one term: scaling 1, products 2, sums of at most 10 terms in
-/// P^2, 35 in P^3 or 20 in Q^2 and 2 more.
+/// All coefficients of D have sign s.
 struct UniformDiscriminant {
   Sign s;
-  static constexpr int kDepth = 1 + 2 + 10 + 35 + 2;
 
   template <class NT, int N>
-  Verdict operator()(const Forms<NT, N>& f, const FormBounds& b) const {
-    const double p = b.p_magnitude, dp = b.p_error, q = b.q_magnitude, dq = b.q_error;
-    const double error = 2 * dp * (3 * p * p + 3 * p * dp + dp * dp) + 3 * dq * (2 * q + dq) +
-                         gamma(kDepth) * (2 * p * p * p + 3 * q * q);
+  Verdict operator()(const Forms<NT, N>& f, const FormBounds& bounds) const {
+    const double error = discriminant_coefficient_error(bounds);
     const auto minus_d = minus_discriminant(f);
     AllPositive all;
     for (std::size_t n = 0; n < minus_d.size(); ++n) {
-      const Certainty c = certainty(minus_d[n], kMonomials<N, 6>.multinomial[n] * error * (1 + 0x1p-20));
+      const Certainty c = certainty(minus_d[n], kMonomials<N, 6>.multinomial[n] * error);
       if (!all.add(oriented(flip(c), s))) break;
     }
     return all.verdict();

@@ -44,7 +44,9 @@ int projection_axis(const Triangle& t) {
   return 0;
 }
 
-bool in_range(double lo, double x, double hi) { return std::min(lo, hi) <= x && x <= std::max(lo, hi); }
+bool in_range(double lo, double x, double hi) {
+  return std::min(lo, hi) <= x && x <= std::max(lo, hi);
+}
 
 bool on_segment(const Point2& p, const Point2& a, const Point2& b) {
   return orient(a, b, p) == 0 && in_range(a[0], p[0], b[0]) && in_range(a[1], p[1], b[1]);
@@ -139,10 +141,11 @@ class BoundaryCheck {
   [[noreturn]] void refuse(std::size_t i, std::size_t j) const {
     refuse_hanging(boundary_[i], boundary_[j]);
     refuse_hanging(boundary_[j], boundary_[i]);
-    throw BadInput(fmt::format(
-        "{} and {} cross or overlap, the mesh does not conform; mesh again so that neighbours share "
-        "whole faces",
-        describe(boundary_[i]), describe(boundary_[j])));
+    throw BadInput(
+        fmt::format("{} and {} cross or overlap, the mesh does not conform; mesh again so that "
+                    "neighbours share "
+                    "whole faces",
+                    describe(boundary_[i]), describe(boundary_[j])));
   }
 
  private:

@@ -18,7 +18,8 @@ void lower_to(std::atomic<T>& target, T value) {
   }
 }
 
-/// The smallest i < n for which `found(i)`, or n. Runs in parallel; the answer does not depend on it.
+/// The smallest i < n for which `found(i)`, or n. Runs in parallel; the answer does not depend on
+/// it.
 template <class Predicate>
 std::size_t first_index(std::size_t n, const Predicate& found) {
   std::atomic<std::size_t> first{n};

@@ -24,11 +24,12 @@ TensorField sample(const GridOptions& options, const Box& box, const TensorAt& t
   field.array_name = "tensor";
   const auto& points = field.mesh.points;
   field.tensors.resize(points.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1024), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      field.tensors[i] = tensor(i, points[i]);
-    }
-  });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1024),
+                    [&](const auto& range) {
+                      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                        field.tensors[i] = tensor(i, points[i]);
+                      }
+                    });
   return field;
 }
 
@@ -65,21 +66,14 @@ TensorField generate_lorenz(const GridOptions& options, const LorenzParameters& 
 }
 
 Tensor<double> abc_gradient(const Point& x, const AbcParameters& f) {
-  return {0,
-          -f.c * std::sin(x[1]),
-          f.a * std::cos(x[2]),
-          f.b * std::cos(x[0]),
-          0,
-          -f.a * std::sin(x[2]),
-          -f.b * std::sin(x[0]),
-          f.c * std::cos(x[1]),
+  return {0, -f.c * std::sin(x[1]), f.a * std::cos(x[2]),  f.b * std::cos(x[0]),
+          0, -f.a * std::sin(x[2]), -f.b * std::sin(x[0]), f.c * std::cos(x[1]),
           0};
 }
 
 TensorField generate_abc(const GridOptions& options, const AbcParameters& parameters) {
-  TensorField field = sample(options, kAbcBox, [&](std::size_t, const Point& x) {
-    return abc_gradient(x, parameters);
-  });
+  TensorField field = sample(
+      options, kAbcBox, [&](std::size_t, const Point& x) { return abc_gradient(x, parameters); });
   const Box box = options.box.value_or(kAbcBox);
   std::array<bool, 3> periodic;
   for (int k = 0; k < 3; ++k) periodic[k] = box.hi[k] - box.lo[k] == 2 * kPi;
@@ -92,8 +86,7 @@ Point rayleigh_benard_velocity(const Point& p, const RayleighBenardParameters& f
   const double cy = std::cos(kPi * p[1]), sy = std::sin(kPi * p[1]);
   const double cz = std::cos(kPi * p[2]), sz = std::sin(kPi * p[2]);
   const double m = f.modulation, s = f.swirl;
-  return {-cz * sx * (1 + m / 2 * cy) + s * sx * cy * cz,
-          -cz * m / 2 * cx * sy - s * cx * sy * cz,
+  return {-cz * sx * (1 + m / 2 * cy) + s * sx * cy * cz, -cz * m / 2 * cx * sy - s * cx * sy * cz,
           sz * cx * (1 + m * cy)};
 }
 
@@ -105,9 +98,10 @@ Tensor<double> rayleigh_benard_gradient(const Point& p, const RayleighBenardPara
   const double along = 1 + (m / 2 - s) * cy;  // u = -sin(pi x) cos(pi z) along
   const double across = m / 2 + s;            // v = -cos(pi x) sin(pi y) cos(pi z) across
   const double up = 1 + m * cy;               // w = cos(pi x) sin(pi z) up
-  return {-kPi * cx * cz * along, kPi * sx * cz * (m / 2 - s) * sy, kPi * sx * sz * along,
-          kPi * sx * sy * cz * across, -kPi * cx * cy * cz * across, kPi * cx * sy * sz * across,
-          -kPi * sx * sz * up, -kPi * cx * sz * m * sy, kPi * cx * cz * up};
+  return {
+      -kPi * cx * cz * along,      kPi * sx * cz * (m / 2 - s) * sy, kPi * sx * sz * along,
+      kPi * sx * sy * cz * across, -kPi * cx * cy * cz * across,     kPi * cx * sy * sz * across,
+      -kPi * sx * sz * up,         -kPi * cx * sz * m * sy,          kPi * cx * cz * up};
 }
 
 TensorField generate_rayleigh_benard(const GridOptions& options,

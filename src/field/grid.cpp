@@ -16,7 +16,8 @@ namespace {
 constexpr int kMaxCells = 800;  // 6 n^3 tets must fit in 32 bits
 constexpr double kJitterUnit = 0x1p-20;
 
-/// Kuhn's cut: from corner 0 to corner 7 along the axes in each of the six orders. Corner bits: x, y, z.
+/// Kuhn's cut: from corner 0 to corner 7 along the axes in each of the six orders. Corner bits: x,
+/// y, z.
 constexpr int kSix[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
                             {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
 /// Corners 0, 3, 5, 6 span the regular tet; for odd cells all corners are mirrored in x.
@@ -28,15 +29,17 @@ void check_options(const GridOptions& options, const Box& box) {
         fmt::format("{} cells per axis are not possible; choose 1 to {}", options.n, kMaxCells));
   }
   if (!(options.jitter >= 0 && options.jitter < 0.5)) {
-    throw BadInput(fmt::format("a jitter of {} is not possible; choose a fraction of the spacing in "
-                               "[0, 0.5)",
-                               options.jitter));
+    throw BadInput(
+        fmt::format("a jitter of {} is not possible; choose a fraction of the spacing in "
+                    "[0, 0.5)",
+                    options.jitter));
   }
   for (int k = 0; k < 3; ++k) {
     if (!std::isfinite(box.hi[k] - box.lo[k]) || !(box.lo[k] < box.hi[k])) {
-      throw BadInput(fmt::format("the box is empty or not finite along {}: [{}, {}]; give a lower "
-                                 "and a higher number",
-                                 "xyz"[k], box.lo[k], box.hi[k]));
+      throw BadInput(
+          fmt::format("the box is empty or not finite along {}: [{}, {}]; give a lower "
+                      "and a higher number",
+                      "xyz"[k], box.lo[k], box.hi[k]));
     }
   }
 }

@@ -14,7 +14,7 @@ namespace triplex::detail {
 
 HalfFaceTable::HalfFaceTable(const TetMesh& mesh) : begin_(mesh.points.size() + 1, 0) {
   // Counting sort by the lowest vertex.
-  const auto lowest = [](const std::array<VertexId, 4>& v, const int (&f)[3]) {
+  const auto lowest = [](const std::array<VertexId, 4>& v, const int(&f)[3]) {
     return std::min({index(v[f[0]]), index(v[f[1]]), index(v[f[2]])});
   };
   for (const auto& v : mesh.tets) {
@@ -74,9 +74,9 @@ bool is_bad(std::span<const HalfFace> run) {
   for (std::size_t i = 0; i < run.size(); ++i) {
     for (std::size_t j = i + 1; j < run.size(); ++j) {
       if (opposite(run[i]) == opposite(run[j])) {
-        throw BadInput(fmt::format(
-            "{} is the same tet as cell {}; remove the duplicate",
-            describe_cell(field, run[j].tet()), cell_id(field, run[i].tet())));
+        throw BadInput(fmt::format("{} is the same tet as cell {}; remove the duplicate",
+                                   describe_cell(field, run[j].tet()),
+                                   cell_id(field, run[i].tet())));
       }
     }
   }
@@ -89,10 +89,11 @@ bool is_bad(std::span<const HalfFace> run) {
         face, run.size(), cell_id(field, run[0].tet()), cell_id(field, run[1].tet()),
         cell_id(field, run[2].tet()), run.size() > 3 ? ", ..." : ""));
   }
-  throw BadInput(fmt::format(
-      "cells {} and {} overlap: both lie on the same side of their common {}; remove one of them, or "
-      "mesh again",
-      cell_id(field, run[0].tet()), cell_id(field, run[1].tet()), face));
+  throw BadInput(
+      fmt::format("cells {} and {} overlap: both lie on the same side of their common {}; remove "
+                  "one of them, or "
+                  "mesh again",
+                  cell_id(field, run[0].tet()), cell_id(field, run[1].tet()), face));
 }
 
 }  // namespace

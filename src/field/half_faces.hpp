@@ -19,7 +19,8 @@ inline constexpr int kTetFaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 
 struct HalfFace {
   std::uint32_t middle;  ///< second lowest vertex
   std::uint32_t high;    ///< highest vertex
-  std::uint64_t code;    ///< 8 tet + 2 face + (outward order is an even permutation of the sorted one)
+  std::uint64_t
+      code;  ///< 8 tet + 2 face + (outward order is an even permutation of the sorted one)
 
   std::size_t tet() const { return code >> 3; }
   int face() const { return static_cast<int>(code >> 1 & 3); }
@@ -29,8 +30,8 @@ struct HalfFace {
   }
 };
 
-/// All half faces of a mesh, grouped by their lowest vertex; in a group sorted by the other vertices
-/// and then by tet, so that half faces of one face are neighbours.
+/// All half faces of a mesh, grouped by their lowest vertex; in a group sorted by the other
+/// vertices and then by tet, so that half faces of one face are neighbours.
 class HalfFaceTable {
  public:
   /// \pre vertex ids are in range and differ within each tet.
@@ -51,13 +52,14 @@ struct BoundaryFace {
   std::size_t tet;
 };
 
-/// Checks the combinatorics of the faces of a mesh whose tets are positively oriented: no tet twice,
-/// at most two tets per face, on opposite sides. Returns the boundary faces in ascending order of
-/// their vertices. \throw BadInput.
+/// Checks the combinatorics of the faces of a mesh whose tets are positively oriented: no tet
+/// twice, at most two tets per face, on opposite sides. Returns the boundary faces in ascending
+/// order of their vertices. \throw BadInput.
 std::vector<BoundaryFace> check_faces(const TensorField& field);
 
-/// Checks that any two boundary faces meet in the simplex of their common vertices and nowhere else.
-/// Exact. \throw BadInput naming the first vertex found in a face, or the first two faces that cross.
+/// Checks that any two boundary faces meet in the simplex of their common vertices and nowhere
+/// else. Exact. \throw BadInput naming the first vertex found in a face, or the first two faces
+/// that cross.
 void check_boundary(const TensorField& field, const std::vector<BoundaryFace>& boundary);
 
 }  // namespace triplex::detail

@@ -29,12 +29,14 @@ constexpr std::size_t kMaxIds = std::numeric_limits<std::uint32_t>::max();
 void check_sizes(const TensorField& field) {
   const std::size_t points = field.mesh.points.size(), tets = field.mesh.tets.size();
   if (tets == 0) {
-    throw BadInput(fmt::format("the mesh has no tets ({} points); give a tetrahedral mesh", points));
+    throw BadInput(
+        fmt::format("the mesh has no tets ({} points); give a tetrahedral mesh", points));
   }
   if (points > kMaxIds || tets > kMaxIds) {
-    throw BadInput(fmt::format("the mesh has {} points and {} tets, at most {} of each are possible; "
-                               "cut it into parts",
-                               points, tets, kMaxIds));
+    throw BadInput(
+        fmt::format("the mesh has {} points and {} tets, at most {} of each are possible; "
+                    "cut it into parts",
+                    points, tets, kMaxIds));
   }
   if (field.tensors.size() != points) {
     throw BadInput(fmt::format("there are {} tensors for {} points; give one tensor per point",
@@ -58,14 +60,16 @@ void check_finite(const TensorField& field) {
   });
   if (bad == points.size()) return;
   if (!all_finite(points[bad])) {
-    throw BadInput(fmt::format("{} has a coordinate that is not finite; correct or remove the point",
-                               describe_point(field, bad)));
+    throw BadInput(
+        fmt::format("{} has a coordinate that is not finite; correct or remove the point",
+                    describe_point(field, bad)));
   }
   const auto& t = field.tensors[bad];
   const auto i = std::ranges::find_if(t, [](double x) { return !std::isfinite(x); }) - t.begin();
-  throw BadInput(fmt::format("the tensor of {} has component {} (row {}, column {}) = {}; all "
-                             "components must be finite, correct or remove the point",
-                             describe_point(field, bad), i, i / 3, i % 3, t[i]));
+  throw BadInput(
+      fmt::format("the tensor of {} has component {} (row {}, column {}) = {}; all "
+                  "components must be finite, correct or remove the point",
+                  describe_point(field, bad), i, i / 3, i % 3, t[i]));
 }
 
 void check_vertex_ids(const TensorField& field) {
@@ -79,9 +83,10 @@ void check_vertex_ids(const TensorField& field) {
   });
   if (bad == tets.size()) return;
   if (const auto v = std::ranges::find_if(tets[bad], out_of_range); v != tets[bad].end()) {
-    throw BadInput(fmt::format("{} refers to point {}, but there are only {} points; correct or "
-                               "remove the cell",
-                               describe_cell(field, bad), index(*v), points));
+    throw BadInput(
+        fmt::format("{} refers to point {}, but there are only {} points; correct or "
+                    "remove the cell",
+                    describe_cell(field, bad), index(*v), points));
   }
   throw BadInput(fmt::format("{} has the same point twice; remove this degenerate cell",
                              describe_cell(field, bad)));
@@ -105,16 +110,18 @@ std::vector<std::uint32_t> used_points_by_place(const TetMesh& mesh) {
 
 [[noreturn]] void refuse_coincident(const TensorField& field, std::uint32_t a, std::uint32_t b) {
   if (field.tensors[a] == field.tensors[b]) {
-    throw BadInput(fmt::format("{} coincides with point {} and has the same tensor; merge them with "
-                               "--merge-points",
-                               describe_point(field, b), a));
+    throw BadInput(
+        fmt::format("{} coincides with point {} and has the same tensor; merge them with "
+                    "--merge-points",
+                    describe_point(field, b), a));
   }
   const auto& s = field.tensors[a];
   const auto& t = field.tensors[b];
   const auto i = std::ranges::mismatch(s, t).in1 - s.begin();
-  throw BadInput(fmt::format("{} coincides with point {}, but their tensors differ (component {}: {} "
-                             "and {}); the field must be continuous, average or correct the tensors",
-                             describe_point(field, b), a, i, t[i], s[i]));
+  throw BadInput(
+      fmt::format("{} coincides with point {}, but their tensors differ (component {}: {} "
+                  "and {}); the field must be continuous, average or correct the tensors",
+                  describe_point(field, b), a, i, t[i], s[i]));
 }
 
 /// Calls `pair(a, b)` for the first and each other point of every set of coincident used points.
@@ -153,13 +160,15 @@ void check_orientation(const TensorField& field) {
   const std::string where =
       fmt::format("{} at ({}, {}, {})", describe_cell(field, bad), x[0], x[1], x[2]);
   if (orientation_of(field, bad) == Sign::Zero) {
-    throw BadInput(fmt::format("{} has no volume, its points lie in one plane; remove it or mesh "
-                               "again",
-                               where));
+    throw BadInput(
+        fmt::format("{} has no volume, its points lie in one plane; remove it or mesh "
+                    "again",
+                    where));
   }
-  throw BadInput(fmt::format("{} is inverted (negative volume); reorder its points with "
-                             "--fix-orientation",
-                             where));
+  throw BadInput(
+      fmt::format("{} is inverted (negative volume); reorder its points with "
+                  "--fix-orientation",
+                  where));
 }
 
 // ---- repairs ----

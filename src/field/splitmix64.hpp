@@ -20,7 +20,8 @@ class SplitMix64 {
     return static_cast<double>(static_cast<std::int64_t>(next() >> 11) - (std::int64_t{1} << 52)) *
            0x1p-52;
   }
-  /// An integer in [-bound, bound], bound < 2^31 (the bias of less than 2^-32 does not matter here).
+  /// An integer in [-bound, bound], bound < 2^31 (the bias of less than 2^-32 does not matter
+  /// here).
   std::int64_t next_integer(std::int64_t bound) {
     const auto range = static_cast<std::uint64_t>(2 * bound + 1);
     return static_cast<std::int64_t>(((next() >> 32) * range) >> 32) - bound;

@@ -42,8 +42,8 @@ std::string_view cure(int error) {
 }
 
 [[noreturn]] void fail(const fs::path& file, int error) {
-  throw IoError(fmt::format("{}: cannot write: {}; {}", file.string(), std::strerror(error),
-                            cure(error)));
+  throw IoError(
+      fmt::format("{}: cannot write: {}; {}", file.string(), std::strerror(error), cure(error)));
 }
 
 /// An open file. Closes it at the end; `close` reports what the destructor would swallow.
@@ -58,7 +58,8 @@ class Descriptor {
   /// Each returns 0 or the error.
   int write(std::string_view content) {
     while (!content.empty()) {
-      const ssize_t n = ::write(fd_, content.data(), std::min<std::size_t>(content.size(), 1 << 30));
+      const ssize_t n =
+          ::write(fd_, content.data(), std::min<std::size_t>(content.size(), 1 << 30));
       if (n < 0 && errno == EINTR) continue;
       if (n < 0) return errno;
       content.remove_prefix(static_cast<std::size_t>(n));

@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
+#include <new>
+#include <stdexcept>
 
 #include "triplex/field/bad_input.hpp"
 #include "vtk_grid.hpp"
@@ -17,13 +20,13 @@
 namespace triplex::detail {
 namespace fs = std::filesystem;
 
-namespace {
-
 std::string lower_extension(const fs::path& file) {
   std::string text = file.extension().string();
   std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
   return text;
 }
+
+namespace {
 
 void check_readable(const fs::path& file) {
   std::error_code error;
@@ -38,11 +41,22 @@ void check_readable(const fs::path& file) {
   }
 }
 
+/// Below this size a file that asks for more memory than there is must be wrong.
+constexpr std::uintmax_t kSmallFile = 64 << 20;
+
 /// Runs a reader; whatever VTK has to say about it becomes one line.
 template <class Reader>
 vtkSmartPointer<vtkUnstructuredGrid> run(Reader& reader, const VtkMessages& messages) {
-  reader.Update();
-  const std::string error = messages.first_error();
+  std::string error;
+  try {
+    reader.Update();
+    error = messages.first_error();
+  } catch (const std::length_error&) {
+    error = "a size in it is not possible";
+  } catch (const std::bad_alloc&) {
+    if (fs::file_size(reader.GetFileName()) > kSmallFile) throw;
+    error = "a size in it is not possible";
+  }
   if (!error.empty() || reader.GetErrorCode() != vtkErrorCode::NoError) {
     throw BadInput(fmt::format("the file is damaged or incomplete ({}); write it again",
                                error.empty() ? "its data could not be read" : error));
@@ -65,11 +79,24 @@ vtkSmartPointer<vtkUnstructuredGrid> load_xml(const fs::path& file, const char* 
   return run(*reader, messages);
 }
 
+/// VTK guesses at versions that it cannot read, and may crash on what it then takes for cells.
+bool has_legacy_header(const fs::path& file) {
+  constexpr std::string_view kStart = "# vtk DataFile Version ";
+  std::ifstream in(file, std::ios::binary);
+  std::string line;
+  std::getline(in, line);
+  while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
+  if (!line.starts_with(kStart) || line.size() != kStart.size() + 3) return false;
+  const std::string_view version = std::string_view(line).substr(kStart.size());
+  return version[0] >= '1' && version[0] <= '5' && version[1] == '.' && version[2] >= '0' &&
+         version[2] <= '9';
+}
+
 vtkSmartPointer<vtkUnstructuredGrid> load_legacy(const fs::path& file) {
   const VtkMessages messages;
   const auto reader = vtkSmartPointer<vtkUnstructuredGridReader>::New();
   reader->SetFileName(file.c_str());
-  if (!reader->IsFileUnstructuredGrid()) {
+  if (!has_legacy_header(file) || !reader->IsFileUnstructuredGrid()) {
     throw BadInput(
         "this is no legacy .vtk file with an unstructured grid; check the extension or convert it");
   }

@@ -11,10 +11,10 @@ TensorField read_field(const std::filesystem::path& file, const ReadOptions& opt
   try {
     const auto grid = detail::load_grid(file);
     detail::RawField raw = detail::take_field(*grid, options.tensor_name);
-    const bool pieces = file.extension() == ".pvtu" || file.extension() == ".PVTU";
+    const bool pieces = detail::lower_extension(file) == ".pvtu";
     TensorField field = pieces ? detail::join_pieces(std::move(raw)) : std::move(raw.field);
-    const InputRepairs made =
-        check_input(field, {.merge_points = options.merge_points, .fix_orientation = options.fix_orientation});
+    const InputRepairs made = check_input(
+        field, {.merge_points = options.merge_points, .fix_orientation = options.fix_orientation});
     if (repairs != nullptr) *repairs = made;
     return field;
   } catch (const BadInput& error) {

@@ -95,16 +95,18 @@ vtkDataArray& only_tensor(vtkUnstructuredGrid& grid) {
   int found = 0;
   if (vtkDataArray* array = only_tensor_array(points, found)) return *array;
   if (found > 1) {
-    throw BadInput(fmt::format("several point arrays have 9 components: {}; choose one with --tensor",
-                               list_arrays(points, true)));
+    throw BadInput(
+        fmt::format("several point arrays have 9 components: {}; choose one with --tensor",
+                    list_arrays(points, true)));
   }
   if (const auto cells = list_arrays(*grid.GetCellData(), true); !cells.empty()) {
-    throw BadInput(fmt::format("the tensors are cell data ({}), but point data are needed; {}", cells,
-                               kCellDataCure));
+    throw BadInput(fmt::format("the tensors are cell data ({}), but point data are needed; {}",
+                               cells, kCellDataCure));
   }
-  throw BadInput(fmt::format("no point array has 9 components; {}; add the tensors as a point array "
-                             "with 9 components, row by row",
-                             point_arrays(points)));
+  throw BadInput(
+      fmt::format("no point array has 9 components; {}; add the tensors as a point array "
+                  "with 9 components, row by row",
+                  point_arrays(points)));
 }
 
 vtkDataArray& named_tensor(vtkUnstructuredGrid& grid, const std::string& name) {
@@ -118,9 +120,10 @@ vtkDataArray& named_tensor(vtkUnstructuredGrid& grid, const std::string& name) {
     throw BadInput(fmt::format("there is no point array {}; {}", name, point_arrays(points)));
   }
   if (array->GetNumberOfComponents() != kTensorComponents) {
-    throw BadInput(fmt::format("the point array {} has {} components, but a tensor has 9, row by row; "
-                               "choose another one with --tensor ({})",
-                               name, array->GetNumberOfComponents(), point_arrays(points)));
+    throw BadInput(
+        fmt::format("the point array {} has {} components, but a tensor has 9, row by row; "
+                    "choose another one with --tensor ({})",
+                    name, array->GetNumberOfComponents(), point_arrays(points)));
   }
   return *array;
 }
@@ -144,7 +147,8 @@ const unsigned char* ghost_flags(vtkDataSetAttributes& data, vtkIdType size) {
   const char* name = vtkCellTypes::GetClassNameFromTypeId(type);
   std::string_view cure = "remove it or cut it into tets (in ParaView: Tetrahedralize)";
   if (type == VTK_QUADRATIC_TETRA) cure = "write it as linear tets (four points each)";
-  throw BadInput(fmt::format("cell {} is no tet but of VTK type {} ({}); {}", cell, type, name, cure));
+  throw BadInput(
+      fmt::format("cell {} is no tet but of VTK type {} ({}); {}", cell, type, name, cure));
 }
 
 /// Cell arrays as they lie in memory, with ids of 32 or 64 bits.
@@ -157,20 +161,23 @@ struct Cells {
   std::array<VertexId, 4> tet(vtkIdType cell, vtkIdType vertices) const {
     const Id begin = offsets[cell], end = offsets[cell + 1];
     if (begin < 0 || end < begin || end > points_size) {
-      throw BadInput(fmt::format("the list of points of cell {} lies outside the file's cell array; "
-                                 "write the file again", cell));
+      throw BadInput(
+          fmt::format("the list of points of cell {} lies outside the file's cell array; "
+                      "write the file again",
+                      cell));
     }
     if (end - begin != 4) {
-      throw BadInput(fmt::format("cell {} is a tet with {} points instead of 4; write the file again",
-                                 cell, end - begin));
+      throw BadInput(fmt::format(
+          "cell {} is a tet with {} points instead of 4; write the file again", cell, end - begin));
     }
     std::array<VertexId, 4> tet;
     for (int i = 0; i < 4; ++i) {
       const Id v = points[begin + i];
       if (v < 0 || v >= vertices) {
-        throw BadInput(fmt::format("cell {} refers to point {}, but there are only {} points; correct "
-                                   "or remove the cell",
-                                   cell, v, vertices));
+        throw BadInput(
+            fmt::format("cell {} refers to point {}, but there are only {} points; correct "
+                        "or remove the cell",
+                        cell, v, vertices));
       }
       tet[i] = VertexId{static_cast<std::uint32_t>(v)};
     }
@@ -209,11 +216,15 @@ void take_cells(vtkUnstructuredGrid& grid, TensorField& field) {
     throw BadInput("the types of the cells are missing; write the file again");
   }
   if (cells.IsStorage64Bit()) {
-    take_tets(grid, Cells<vtkTypeInt64>{cells.GetOffsetsArray64()->GetPointer(0),
-                                        cells.GetConnectivityArray64()->GetPointer(0), ids}, field);
+    take_tets(grid,
+              Cells<vtkTypeInt64>{cells.GetOffsetsArray64()->GetPointer(0),
+                                  cells.GetConnectivityArray64()->GetPointer(0), ids},
+              field);
   } else {
-    take_tets(grid, Cells<vtkTypeInt32>{cells.GetOffsetsArray32()->GetPointer(0),
-                                        cells.GetConnectivityArray32()->GetPointer(0), ids}, field);
+    take_tets(grid,
+              Cells<vtkTypeInt32>{cells.GetOffsetsArray32()->GetPointer(0),
+                                  cells.GetConnectivityArray32()->GetPointer(0), ids},
+              field);
   }
 }
 
@@ -224,17 +235,20 @@ RawField take_field(vtkUnstructuredGrid& grid, const std::string& tensor_name) {
   const vtkIdType points = grid.GetNumberOfPoints();
   if (points > std::numeric_limits<std::uint32_t>::max() ||
       grid.GetNumberOfCells() > std::numeric_limits<std::uint32_t>::max()) {
-    throw BadInput("the mesh has more points or cells than 32-bit ids can count; cut it into parts");
+    throw BadInput(
+        "the mesh has more points or cells than 32-bit ids can count; cut it into parts");
   }
   take_cells(grid, raw.field);
   if (raw.field.mesh.tets.empty()) {
-    throw BadInput(fmt::format("the mesh has no tets ({} points, {} cells); give a tetrahedral mesh",
-                               points, grid.GetNumberOfCells()));
+    throw BadInput(
+        fmt::format("the mesh has no tets ({} points, {} cells); give a tetrahedral mesh", points,
+                    grid.GetNumberOfCells()));
   }
   vtkDataArray& tensors = tensor_name.empty() ? only_tensor(grid) : named_tensor(grid, tensor_name);
   if (tensors.GetNumberOfTuples() != points) {
-    throw BadInput(fmt::format("the point array {} has {} tensors for {} points; write the file again",
-                               name_of(tensors), tensors.GetNumberOfTuples(), points));
+    throw BadInput(
+        fmt::format("the point array {} has {} tensors for {} points; write the file again",
+                    name_of(tensors), tensors.GetNumberOfTuples(), points));
   }
   raw.field.array_name = tensors.GetName() == nullptr ? "" : tensors.GetName();
   raw.field.mesh.points = take_values<3>(*grid.GetPoints()->GetData(), "the array of points");

@@ -14,6 +14,9 @@
 
 namespace triplex::detail {
 
+/// The extension in lower case, with the dot.
+std::string lower_extension(const std::filesystem::path& file);
+
 /// Reads a .vtu, .pvtu or legacy .vtk file, by extension.
 /// \throw BadInput, without the name of the file, if it cannot be read as an unstructured grid.
 vtkSmartPointer<vtkUnstructuredGrid> load_grid(const std::filesystem::path& file);
@@ -25,8 +28,8 @@ struct RawField {
   std::vector<std::uint8_t> copies;
 };
 
-/// Takes tets and tensors out of a grid; ghost cells are left out. The array is chosen by name, or it
-/// is the only one with nine components. \throw BadInput for other cells and unsuitable arrays.
+/// Takes tets and tensors out of a grid; ghost cells are left out. The array is chosen by name, or
+/// it is the only one with nine components. \throw BadInput for other cells and unsuitable arrays.
 RawField take_field(vtkUnstructuredGrid& grid, const std::string& tensor_name);
 
 /// Makes one mesh of the pieces of a partitioned file: joins points with equal coordinates and

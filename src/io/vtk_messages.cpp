@@ -25,15 +25,20 @@ std::string& first_text() {
 class SilentWindow : public vtkOutputWindow {
  public:
   static SilentWindow* New();
-  vtkTypeMacro(SilentWindow, vtkOutputWindow)
-  void DisplayText(const char*) override {}
+  vtkTypeMacro(SilentWindow, vtkOutputWindow) void DisplayText(const char*) override {}
   void DisplayWarningText(const char*) override {}
-  void DisplayGenericWarningText(const char*) override {}
   void DisplayDebugText(const char*) override {}
+  // The legacy reader gives no more than a warning when a file ends too early.
+  void DisplayGenericWarningText(const char* text) override {
+    if (text != nullptr && std::string_view(text).find("Error") != std::string_view::npos) {
+      DisplayErrorText(text);
+    }
+  }
   void DisplayErrorText(const char* text) override {
     if (text == nullptr || !first_text().empty()) return;
     // Ranges that VTK stores beside arrays; it cannot read its own infinities.
-    if (std::string_view(text).find("Error reading InformationKey") != std::string_view::npos) return;
+    if (std::string_view(text).find("Error reading InformationKey") != std::string_view::npos)
+      return;
     first_text() = text;
   }
 };
@@ -56,10 +61,12 @@ VtkMessages::~VtkMessages() {
 }
 
 std::string VtkMessages::first_error() const {
-  // "ERROR: In file, line n\nvtkClass (0xaddress): message\n\n"
+  // "ERROR: In file, line n\nvtkClass (0xaddress): message\n\n", or without class and address.
   std::string_view text = first_text();
   if (const auto object = text.find("): "); object != std::string_view::npos) {
     text.remove_prefix(object + 3);
+  } else if (const auto place = text.find('\n'); place + 1 < text.size()) {
+    text.remove_prefix(place + 1);
   }
   std::string line;
   for (const char c : text) {

@@ -71,8 +71,8 @@ vtkSmartPointer<vtkDataArray> to_vtk_array(const std::string& name, const std::u
 vtkSmartPointer<vtkPoints> to_vtk_points(const std::vector<Point>& points) {
   const auto result = vtkSmartPointer<vtkPoints>::New();
   result->SetDataTypeToDouble();
-  result->SetData(to_vtk_array("Points", points.empty() ? nullptr : points.front().data(),
-                               points.size(), 3));
+  result->SetData(
+      to_vtk_array("Points", points.empty() ? nullptr : points.front().data(), points.size(), 3));
   return result;
 }
 
@@ -100,8 +100,8 @@ void write_legacy(const std::filesystem::path& file, vtkDataWriter& writer, vtkD
     writer.WriteToOutputStringOn();
     if (writer.Write() == 0 || !messages.first_error().empty()) fail(file, messages.first_error());
   }
-  write_file_atomically(file, {writer.GetOutputString(),
-                               static_cast<std::size_t>(writer.GetOutputStringLength())});
+  write_file_atomically(
+      file, {writer.GetOutputString(), static_cast<std::size_t>(writer.GetOutputStringLength())});
 }
 
 }  // namespace triplex::detail

@@ -15,7 +15,31 @@
 namespace triplex {
 namespace {
 
-vtkSmartPointer<vtkUnstructuredGrid> to_vtk(const TensorField& field) {
+/// VTK's writers put names into XML as they are.
+std::string xml_escaped(const std::string& name) {
+  std::string result;
+  for (const char c : name) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> to_vtk(const TensorField& field, const std::string& name) {
   const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->SetPoints(detail::to_vtk_points(field.mesh.points));
   const auto offsets = vtkSmartPointer<vtkTypeInt64Array>::New();
@@ -26,15 +50,14 @@ vtkSmartPointer<vtkUnstructuredGrid> to_vtk(const TensorField& field) {
   for (vtkIdType t = 0; t < tets; ++t) {
     offsets->SetValue(t, 4 * t);
     for (int i = 0; i < 4; ++i) {
-      vertices->SetValue(4 * t + i,
-                         static_cast<vtkTypeInt64>(index(field.mesh.tets[static_cast<std::size_t>(t)][i])));
+      vertices->SetValue(4 * t + i, static_cast<vtkTypeInt64>(
+                                        index(field.mesh.tets[static_cast<std::size_t>(t)][i])));
     }
   }
   offsets->SetValue(tets, 4 * tets);
   const auto cells = vtkSmartPointer<vtkCellArray>::New();
   cells->SetData(offsets, vertices);
   grid->SetCells(VTK_TETRA, cells);
-  const std::string name = field.array_name.empty() ? "tensor" : field.array_name;
   const double* values = field.tensors.empty() ? nullptr : field.tensors.front().data();
   grid->GetPointData()->AddArray(detail::to_vtk_array(name, values, field.tensors.size(), 9));
   return grid;
@@ -50,8 +73,10 @@ void write_field(const std::filesystem::path& file, const TensorField& field) {
   if (!can_write_field(file)) {
     throw IoError(file.string() + ": cannot write: unknown kind of file; choose .vtu or .vtk");
   }
-  const auto grid = to_vtk(field);
-  if (file.extension() == ".vtu") {
+  const std::string name = field.array_name.empty() ? "tensor" : field.array_name;
+  const bool xml = file.extension() == ".vtu";
+  const auto grid = to_vtk(field, xml ? xml_escaped(name) : name);
+  if (xml) {
     detail::write_xml(file, *vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New(), *grid);
   } else {
     detail::write_legacy(file, *vtkSmartPointer<vtkUnstructuredGridWriter>::New(), *grid);

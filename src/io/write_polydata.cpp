@@ -56,9 +56,11 @@ void write_polydata(const std::filesystem::path& file, const FeatureMesh& mesh, 
   add_point_array("mode", mesh.mode);
   add_point_array("p", mesh.p);
   add_point_array("q", mesh.q);
-  const std::vector<std::uint8_t> features(mesh.certified.size(), static_cast<std::uint8_t>(feature));
+  const std::vector<std::uint8_t> features(mesh.certified.size(),
+                                           static_cast<std::uint8_t>(feature));
   vtkCellData& cells = *data->GetCellData();
-  cells.AddArray(detail::to_vtk_array("SourceCellId", mesh.source_cell.data(), mesh.source_cell.size()));
+  cells.AddArray(
+      detail::to_vtk_array("SourceCellId", mesh.source_cell.data(), mesh.source_cell.size()));
   cells.AddArray(detail::to_vtk_array("Feature", features.data(), features.size()));
   cells.AddArray(detail::to_vtk_array("Certified", mesh.certified.data(), mesh.certified.size()));
   detail::write_xml(file, *vtkSmartPointer<vtkXMLPolyDataWriter>::New(), *data);

@@ -110,8 +110,9 @@ TEST(Generators, AbcFollowsItsClosedForm) {
   const TensorField field = generate_abc({.n = 7, .jitter = 0.15});
   for (std::size_t i = 0; i < field.tensors.size(); ++i) {
     const auto [x, y, z] = field.mesh.points[i];
-    const double q = f.a * f.b * f.c *
-                     (std::cos(x) * std::cos(y) * std::cos(z) - std::sin(x) * std::sin(y) * std::sin(z));
+    const double q =
+        f.a * f.b * f.c *
+        (std::cos(x) * std::cos(y) * std::cos(z) - std::sin(x) * std::sin(y) * std::sin(z));
     EXPECT_NEAR(det(field.tensors[i]), q, 1e-14);
     EXPECT_EQ(field.tensors[i][0] + field.tensors[i][4] + field.tensors[i][8], 0);
   }
@@ -282,7 +283,8 @@ TEST(Generators, KuhnGridMatchesAcrossOppositeSides) {
         };
         if (all_at(0)) {
           std::set<std::size_t> moved;
-          for (const std::size_t v : face) moved.insert(v + static_cast<std::size_t>(n * stride[axis]));
+          for (const std::size_t v : face)
+            moved.insert(v + static_cast<std::size_t>(n * stride[axis]));
           low.insert(moved);
         }
         if (all_at(n)) high.insert(face);
@@ -348,7 +350,8 @@ TEST(Generators, RefuseImpossibleOptions) {
   EXPECT_THAT(message_of({.n = 2, .jitter = std::nan("")}), HasSubstr("jitter of nan"));
   EXPECT_THAT(message_of({.n = 2, .box = Box{{0, 0, 0}, {1, 0, 1}}}), HasSubstr("along y"));
   EXPECT_THAT(message_of({.n = 2, .box = Box{{0, 0, 1}, {1, 1, 0}}}), HasSubstr("along z"));
-  EXPECT_THAT(message_of({.n = 2, .box = Box{{-1e308, 0, 0}, {1e308, 1, 1}}}), HasSubstr("along x"));
+  EXPECT_THAT(message_of({.n = 2, .box = Box{{-1e308, 0, 0}, {1e308, 1, 1}}}),
+              HasSubstr("along x"));
 }
 
 TEST(Generators, RefuseToInvertTets) {

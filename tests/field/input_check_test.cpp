@@ -71,18 +71,20 @@ std::string message_of(TensorField field, const InputOptions& options) {
 TEST(InputCheck, AcceptsGoodMeshes) {
   EXPECT_EQ(message_of(two_tets()), "accepted");
   // Two tets with a common edge only, and with a common vertex only.
-  EXPECT_EQ(message_of(make_field({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}},
-                                  {tet(0, 1, 2, 3), tet(0, 1, 4, 5)})),
-            "accepted");
+  EXPECT_EQ(
+      message_of(make_field({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}},
+                            {tet(0, 1, 2, 3), tet(0, 1, 4, 5)})),
+      "accepted");
   EXPECT_EQ(message_of(make_field(
                 {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {-1, 0, 0}, {-1, 1, 0}, {-1, 0, 1}},
                 {tet(0, 1, 2, 3), tet(0, 4, 5, 6)})),
             "accepted");
   // Two parts that do not touch, though their boxes do.
-  EXPECT_EQ(message_of(make_field({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4},
-                                   {4, 4, 4}, {3, 4, 4}, {4, 3, 4}, {4, 4, 3}},
-                                  {tet(0, 1, 2, 3), tet(4, 5, 6, 7)})),
-            "accepted");
+  EXPECT_EQ(
+      message_of(make_field(
+          {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {4, 4, 4}, {3, 4, 4}, {4, 3, 4}, {4, 4, 3}},
+          {tet(0, 1, 2, 3), tet(4, 5, 6, 7)})),
+      "accepted");
 }
 
 TEST(InputCheck, AcceptsUnusedPointsEvenWhereOthersAre) {
@@ -146,12 +148,11 @@ TEST(InputCheck, RefusesNumbersThatAreNotFinite) {
     for (int component = 0; component < 9; ++component) {
       field = two_tets();
       field.tensors[2][component] = bad;
-      EXPECT_THAT(message_of(field),
-                  AllOf(HasSubstr("point 2 at (0, 1, 0)"),
-                        HasSubstr("component " + std::to_string(component) + " (row " +
-                                  std::to_string(component / 3) + ", column " +
-                                  std::to_string(component % 3)),
-                        HasSubstr("must be finite")));
+      EXPECT_THAT(message_of(field), AllOf(HasSubstr("point 2 at (0, 1, 0)"),
+                                           HasSubstr("component " + std::to_string(component) +
+                                                     " (row " + std::to_string(component / 3) +
+                                                     ", column " + std::to_string(component % 3)),
+                                           HasSubstr("must be finite")));
     }
   }
 }
@@ -185,16 +186,16 @@ TEST(InputCheck, NamesCellsByTheirIdInTheFile) {
 
 /// As `two_tets`, but the second tet has its own copies of the common points.
 TensorField torn() {
-  TensorField field = make_field({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1},
-                                  {0, 0, 0}, {1, 0, 0}, {-0.0, 1, 0}},
-                                 {tet(0, 1, 2, 3), tet(5, 6, 7, 4)});
+  TensorField field = make_field(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {0, 0, 0}, {1, 0, 0}, {-0.0, 1, 0}},
+      {tet(0, 1, 2, 3), tet(5, 6, 7, 4)});
   for (int i = 0; i < 3; ++i) field.tensors[5 + i] = field.tensors[i];
   return field;
 }
 
 TEST(InputCheck, RefusesCoincidentPointsAndMergesThemOnRequest) {
-  EXPECT_THAT(message_of(torn()),
-              AllOf(HasSubstr("point 5 at (0, 0, 0) coincides with point 0"), HasSubstr("--merge-points")));
+  EXPECT_THAT(message_of(torn()), AllOf(HasSubstr("point 5 at (0, 0, 0) coincides with point 0"),
+                                        HasSubstr("--merge-points")));
   TensorField field = torn();
   const InputRepairs repairs = check_input(field, {.merge_points = true});
   EXPECT_EQ(repairs.merged_points, 3u);
@@ -228,8 +229,8 @@ TEST(InputCheck, MergingMayRevealDegenerateTets) {
 TEST(InputCheck, RefusesInvertedTetsAndTurnsThemOnRequest) {
   TensorField field = two_tets();
   std::swap(field.mesh.tets[1][0], field.mesh.tets[1][1]);
-  EXPECT_THAT(message_of(field), AllOf(HasSubstr("cell 1"), HasSubstr("inverted"),
-                                       HasSubstr("--fix-orientation")));
+  EXPECT_THAT(message_of(field),
+              AllOf(HasSubstr("cell 1"), HasSubstr("inverted"), HasSubstr("--fix-orientation")));
   const InputRepairs repairs = check_input(field, {.fix_orientation = true});
   EXPECT_EQ(repairs.flipped_tets, 1u);
   EXPECT_EQ(message_of(field), "accepted");
@@ -286,9 +287,8 @@ TEST(InputCheck, RefusesAHangingNodeInAFace) {
   const TensorField field =
       make_field({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {1, 1, 0}, {0, 0, -4}},
                  {tet(0, 1, 2, 3), tet(0, 1, 4, 5), tet(1, 2, 4, 5), tet(2, 0, 4, 5)});
-  EXPECT_THAT(message_of(field),
-              AllOf(HasSubstr("hanging node: point 4 at (1, 1, 0)"),
-                    HasSubstr("face (points 0, 1, 2) of cell 0")));
+  EXPECT_THAT(message_of(field), AllOf(HasSubstr("hanging node: point 4 at (1, 1, 0)"),
+                                       HasSubstr("face (points 0, 1, 2) of cell 0")));
 }
 
 TEST(InputCheck, RefusesAHangingNodeOnEachEdge) {
@@ -301,8 +301,7 @@ TEST(InputCheck, RefusesAHangingNodeOnEachEdge) {
         const auto t = field.mesh.tets[victim];
         Point middle;
         for (int k = 0; k < 3; ++k) {
-          middle[k] =
-              (field.mesh.points[index(t[i])][k] + field.mesh.points[index(t[j])][k]) / 2;
+          middle[k] = (field.mesh.points[index(t[i])][k] + field.mesh.points[index(t[j])][k]) / 2;
         }
         const VertexId v{static_cast<std::uint32_t>(field.mesh.points.size())};
         field.mesh.points.push_back(middle);
@@ -311,8 +310,7 @@ TEST(InputCheck, RefusesAHangingNodeOnEachEdge) {
         auto other = t;
         other[j] = v;
         field.mesh.tets.push_back(other);
-        EXPECT_THAT(message_of(field), HasSubstr("hanging node: point 125 at"))
-            << victim << i << j;
+        EXPECT_THAT(message_of(field), HasSubstr("hanging node: point 125 at")) << victim << i << j;
       }
     }
   }
@@ -323,10 +321,11 @@ TEST(InputCheck, RefusesAFaceCutAlongTheOtherDiagonal) {
   const TensorField field =
       make_field({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}, {0.5, 0.5, -1}},
                  {tet(0, 1, 2, 4), tet(0, 2, 3, 4), tet(0, 1, 3, 5), tet(1, 2, 3, 5)});
-  EXPECT_THAT(message_of(field),
-              AllOf(HasSubstr("cross or overlap"), HasSubstr("of cell 0"), Not(HasSubstr("hanging"))));
+  EXPECT_THAT(message_of(field), AllOf(HasSubstr("cross or overlap"), HasSubstr("of cell 0"),
+                                       Not(HasSubstr("hanging"))));
   // The same in a plane that is parallel to no axis, and in one parallel to each.
-  for (const auto& m : {std::array<double, 9>{3, 5, 7, 7, -2, 0, 0, 9, 3}, {0, 0, 1, 1, 0, 0, 0, 1, 0},
+  for (const auto& m : {std::array<double, 9>{3, 5, 7, 7, -2, 0, 0, 9, 3},
+                        {0, 0, 1, 1, 0, 0, 0, 1, 0},
                         {0, 1, 0, 0, 0, 1, 1, 0, 0}}) {
     TensorField turned = field;
     for (Point& x : turned.mesh.points) {
@@ -339,34 +338,59 @@ TEST(InputCheck, RefusesAFaceCutAlongTheOtherDiagonal) {
 
 TEST(InputCheck, RefusesTetsThatInterpenetrate) {
   // No common vertex; an edge of one pierces a face of the other.
-  EXPECT_THAT(message_of(make_field({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4},
-                                     {1, 1, -1}, {1.25, 1, -1}, {1, 1.25, -1}, {1, 1, 1}},
+  EXPECT_THAT(message_of(make_field({{0, 0, 0},
+                                     {4, 0, 0},
+                                     {0, 4, 0},
+                                     {0, 0, 4},
+                                     {1, 1, -1},
+                                     {1.25, 1, -1},
+                                     {1, 1.25, -1},
+                                     {1, 1, 1}},
                                     {tet(0, 1, 2, 3), tet(4, 5, 6, 7)})),
               HasSubstr("cross or overlap"));
   // One common vertex.
-  EXPECT_THAT(message_of(make_field({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4},
-                                     {3, 3, 1}, {3, 3.5, 1}, {3, 3, 1.5}},
-                                    {tet(0, 1, 2, 3), tet(0, 4, 5, 6)})),
+  EXPECT_THAT(message_of(make_field(
+                  {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {3, 3, 1}, {3, 3.5, 1}, {3, 3, 1.5}},
+                  {tet(0, 1, 2, 3), tet(0, 4, 5, 6)})),
               HasSubstr("cross or overlap"));
   // A common edge: faces in one plane, on the same side of it.
-  EXPECT_THAT(message_of(make_field({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {4, 4, 0}, {2, 2, -4}},
-                                    {tet(0, 1, 2, 3), tet(0, 1, 4, 5)})),
-              HasSubstr("cross or overlap"));
+  EXPECT_THAT(
+      message_of(make_field({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {4, 4, 0}, {2, 2, -4}},
+                            {tet(0, 1, 2, 3), tet(0, 1, 4, 5)})),
+      HasSubstr("cross or overlap"));
 }
 
 TEST(InputCheck, RefusesPartsThatTouch) {
   // The corner of one tet lies in a face of the other, on an edge of it.
-  EXPECT_THAT(message_of(make_field({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4},
-                                     {1, 1, 0}, {1, 1, -1}, {2, 1, -1}, {1, 2, -1}},
+  EXPECT_THAT(message_of(make_field({{0, 0, 0},
+                                     {4, 0, 0},
+                                     {0, 4, 0},
+                                     {0, 0, 4},
+                                     {1, 1, 0},
+                                     {1, 1, -1},
+                                     {2, 1, -1},
+                                     {1, 2, -1}},
                                     {tet(0, 1, 2, 3), tet(4, 5, 6, 7)})),
               HasSubstr("hanging node: point 4"));
-  EXPECT_THAT(message_of(make_field({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4},
-                                     {2, 0, 0}, {2, -1, -1}, {3, -1, -1}, {2, -2, -1}},
+  EXPECT_THAT(message_of(make_field({{0, 0, 0},
+                                     {4, 0, 0},
+                                     {0, 4, 0},
+                                     {0, 0, 4},
+                                     {2, 0, 0},
+                                     {2, -1, -1},
+                                     {3, -1, -1},
+                                     {2, -2, -1}},
                                     {tet(0, 1, 2, 3), tet(4, 5, 6, 7)})),
               HasSubstr("hanging node: point 4"));
   // Two edges cross in their interiors.
-  EXPECT_THAT(message_of(make_field({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4},
-                                     {2, -1, 0}, {2, 1, 0}, {2, 0, -1}, {3, 0, -2}},
+  EXPECT_THAT(message_of(make_field({{0, 0, 0},
+                                     {4, 0, 0},
+                                     {0, 4, 0},
+                                     {0, 0, 4},
+                                     {2, -1, 0},
+                                     {2, 1, 0},
+                                     {2, 0, -1},
+                                     {3, 0, -2}},
                                     {tet(0, 1, 2, 3), tet(4, 5, 6, 7)})),
               HasSubstr("does not conform"));
 }

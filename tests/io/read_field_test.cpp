@@ -71,8 +71,7 @@ bool same_bits(const TensorField& a, const TensorField& b) {
 TEST(ReadField, ReadsText) {
   const TensorField field = read_text({});
   ASSERT_EQ(field.mesh.tets.size(), 2u);
-  EXPECT_EQ(field.mesh.tets[1],
-            (std::array{VertexId{0}, VertexId{2}, VertexId{1}, VertexId{4}}));
+  EXPECT_EQ(field.mesh.tets[1], (std::array{VertexId{0}, VertexId{2}, VertexId{1}, VertexId{4}}));
   EXPECT_EQ(field.mesh.points[4], (Point{0, 0, -1}));
   const VtuText vtu;
   for (int i = 0; i < 45; ++i) EXPECT_EQ(field.tensors[i / 9][i % 9], vtu.point_data[0].values[i]);
@@ -111,10 +110,11 @@ TEST(ReadField, RoundTripsBitForBit) {
 TEST(ReadField, ReadsTheFilesInData) {
   const std::filesystem::path data = TRIPLEX_DATA_DIR;
   int files = 0;
-  for (const auto& [name, tets, points] :
-       {std::tuple{"channel.vtu", 16047u, 3592u}, {"rayleigh_benard.vtu", 15972u, 3312u},
-        {"twist_030.vtu", 12000u, 2541u}, {"twist_100.vtu", 12000u, 2541u},
-        {"twist_cube_54deg.vtu", 16464u, 3375u}}) {
+  for (const auto& [name, tets, points] : {std::tuple{"channel.vtu", 16047u, 3592u},
+                                           {"rayleigh_benard.vtu", 15972u, 3312u},
+                                           {"twist_030.vtu", 12000u, 2541u},
+                                           {"twist_100.vtu", 12000u, 2541u},
+                                           {"twist_cube_54deg.vtu", 16464u, 3375u}}) {
     const TensorField field = read_field(data / name, {.tensor_name = "tensor"});
     EXPECT_EQ(field.mesh.tets.size(), tets) << name;
     EXPECT_EQ(field.mesh.points.size(), points) << name;
@@ -130,7 +130,8 @@ TEST(ReadField, ReportsRepairs) {
   std::swap(vtu.connectivity[0], vtu.connectivity[1]);
   vtu.points.insert(vtu.points.end(), {0, 0, 0});
   const auto tensors = VtuText::tensors(5);
-  vtu.point_data[0].values.insert(vtu.point_data[0].values.end(), tensors.begin(), tensors.begin() + 9);
+  vtu.point_data[0].values.insert(vtu.point_data[0].values.end(), tensors.begin(),
+                                  tensors.begin() + 9);
   vtu.connectivity[4] = 5;
   const TemporaryDirectory directory;
   write_content(directory / "field.vtu", vtu.text());
@@ -163,7 +164,8 @@ TEST(ReadField, SkipsGhostCellsAndKeepsCellIds) {
 
 TEST(ReadField, ChoosesTheTensorArray) {
   VtuText vtu;
-  vtu.point_data.insert(vtu.point_data.begin(), {"velocity", 3, std::vector<double>(15), "Float64"});
+  vtu.point_data.insert(vtu.point_data.begin(),
+                        {"velocity", 3, std::vector<double>(15), "Float64"});
   EXPECT_EQ(message_of(vtu), "accepted");
   vtu.point_data.push_back({"stress", 9, VtuText::tensors(5), "Float64"});
   EXPECT_THAT(message_of(vtu), AllOf(HasSubstr("tensor, stress;"), HasSubstr("--tensor"),
@@ -178,12 +180,14 @@ TEST(ReadField, RefusesUnsuitableArrays) {
   EXPECT_THAT(message_of(vtu, {.tensor_name = "stress"}),
               AllOf(HasSubstr("no point array stress"), HasSubstr("tensor (9)")));
   vtu.point_data[0] = {"tensor", 6, std::vector<double>(30), "Float64"};
-  EXPECT_THAT(message_of(vtu), AllOf(HasSubstr("no point array has 9 components"), HasSubstr("tensor (6)")));
+  EXPECT_THAT(message_of(vtu),
+              AllOf(HasSubstr("no point array has 9 components"), HasSubstr("tensor (6)")));
   EXPECT_THAT(message_of(vtu, {.tensor_name = "tensor"}), HasSubstr("has 6 components"));
   vtu.cell_data = {{"tensor", 9, VtuText::tensors(2), "Float64"}};
   EXPECT_THAT(message_of(vtu), AllOf(HasSubstr("cell data"), HasSubstr("Cell Data to Point Data")));
   vtu.point_data.clear();
-  EXPECT_THAT(message_of(vtu, {.tensor_name = "tensor"}), HasSubstr("the array tensor is cell data"));
+  EXPECT_THAT(message_of(vtu, {.tensor_name = "tensor"}),
+              HasSubstr("the array tensor is cell data"));
   vtu.cell_data.clear();
   EXPECT_THAT(message_of(vtu), HasSubstr("there are no point arrays"));
   vtu.point_data = {{"tensor", 9, std::vector<double>(45), "Int64"}};
@@ -195,7 +199,8 @@ TEST(ReadField, RefusesTensorsThatAreNotFinite) {
   TensorField field = generate_noise({.n = 2});
   field.tensors[9][5] = HUGE_VAL;
   write_field(directory / "a.vtu", field);
-  EXPECT_THAT(message_of(directory / "a.vtu"), AllOf(HasSubstr("point 9"), HasSubstr("component 5")));
+  EXPECT_THAT(message_of(directory / "a.vtu"),
+              AllOf(HasSubstr("point 9"), HasSubstr("component 5")));
 }
 
 // ---- cells that do not fit ----
@@ -252,7 +257,8 @@ TEST(ReadField, RefusesWhatIsNoFile) {
   write_content(directory / "empty.vtu", "");
   EXPECT_THAT(message_of(directory / "empty.vtu"), HasSubstr("empty"));
   write_content(directory / "field.stl", "solid");
-  EXPECT_THAT(message_of(directory / "field.stl"), AllOf(HasSubstr("unknown kind"), HasSubstr(".pvtu")));
+  EXPECT_THAT(message_of(directory / "field.stl"),
+              AllOf(HasSubstr("unknown kind"), HasSubstr(".pvtu")));
   if (::geteuid() != 0) {  // root may read anything
     write_content(directory / "secret.vtu", VtuText{}.text());
     std::filesystem::permissions(directory / "secret.vtu", std::filesystem::perms::none);
@@ -265,12 +271,13 @@ TEST(ReadField, RefusesGarbage) {
   std::string garbage;
   for (int i = 0; i < 5000; ++i) garbage += static_cast<char>(i * 7919 >> 3);
   std::string image =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\"><ImageData/></VTKFile>\n";
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" "
+      "version=\"1.0\"><ImageData/></VTKFile>\n";
   const std::string polydata =
       "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 0 double\n";
   for (const char* name : {"a.vtu", "a.pvtu", "a.vtk"}) {
-    for (const auto& content : {garbage, image, polydata, std::string("\n"), std::string("<VTKFile"),
-                                std::string(100, '\0')}) {
+    for (const auto& content : {garbage, image, polydata, std::string("\n"),
+                                std::string("<VTKFile"), std::string(100, '\0')}) {
       write_content(directory / name, content);
       EXPECT_THAT(message_of(directory / name), HasSubstr("this is no "));
     }
@@ -379,7 +386,8 @@ TEST_F(Pieces, RepeatedCellsAreLeftOut) {
     piece->point_data.pop_back();
   }
   // The copy comes first now: cells 0 (first piece), 1 (its copy), 2.
-  std::rotate(second_.connectivity.begin(), second_.connectivity.begin() + 4, second_.connectivity.end());
+  std::rotate(second_.connectivity.begin(), second_.connectivity.begin() + 4,
+              second_.connectivity.end());
   const TensorField field = read_field(write());
   EXPECT_TRUE(same_bits(field, read_text({})));
   EXPECT_EQ(field.source_cells, (std::vector<std::int64_t>{0, 2}));
@@ -387,8 +395,8 @@ TEST_F(Pieces, RepeatedCellsAreLeftOut) {
 
 TEST_F(Pieces, MustAgree) {
   second_.point_data[0].values[9 * 2 + 4] += 1;
-  EXPECT_THAT(message_of(write()),
-              AllOf(HasSubstr("the pieces disagree"), HasSubstr("points 0 and 6"), HasSubstr("(0, 0, 0)")));
+  EXPECT_THAT(message_of(write()), AllOf(HasSubstr("the pieces disagree"),
+                                         HasSubstr("points 0 and 6"), HasSubstr("(0, 0, 0)")));
 }
 
 TEST_F(Pieces, MustExist) {

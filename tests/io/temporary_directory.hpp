@@ -30,8 +30,7 @@ class TemporaryDirectory {
   }
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
   std::size_t files() const {
-    return static_cast<std::size_t>(
-        std::distance(std::filesystem::directory_iterator(path_), {}));
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
   }
 
  private:

@@ -69,9 +69,11 @@ inline std::string pvtu_text(const std::vector<std::string>& pieces, bool ghosts
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" "
       "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n"
-      "<PPointData>" + ghost_line +
+      "<PPointData>" +
+      ghost_line +
       "<PDataArray type=\"Float64\" Name=\"tensor\" NumberOfComponents=\"9\"/></PPointData>\n"
-      "<PCellData>" + ghost_line +
+      "<PCellData>" +
+      ghost_line +
       "</PCellData>\n<PPoints><PDataArray type=\"Float64\" Name=\"Points\" "
       "NumberOfComponents=\"3\"/></PPoints>\n";
   for (const auto& piece : pieces) text += "<Piece Source=\"" + piece + "\"/>\n";

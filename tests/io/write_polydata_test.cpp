@@ -75,7 +75,8 @@ TEST(WritePolydata, RoundTripsBitForBit) {
     for (int i = 0; i < 3; ++i) EXPECT_EQ(ids->GetId(i), mesh.triangles[c][i]);
   }
   vtkCellData& cells = *data->GetCellData();
-  ASSERT_TRUE(cells.HasArray("SourceCellId") && cells.HasArray("Feature") && cells.HasArray("Certified"));
+  ASSERT_TRUE(cells.HasArray("SourceCellId") && cells.HasArray("Feature") &&
+              cells.HasArray("Certified"));
   EXPECT_EQ(cells.GetArray("SourceCellId")->GetDataTypeSize(), 8);
   EXPECT_EQ(cells.GetArray("SourceCellId")->GetTuple1(1), 0x1p40);
   EXPECT_EQ(cells.GetArray("Feature")->GetTuple1(0), 4);

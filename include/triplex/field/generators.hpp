@@ -27,20 +27,20 @@ struct AbcParameters {
   double c = 0.5773502691896257;  ///< sqrt(1/3)
 };
 Tensor<double> abc_gradient(const Point& x, const AbcParameters& parameters = {});
-/// Default box: [0, 2 pi]^3. Along each axis on which the box is one period long, the tensors on the
-/// upper side are copies, bit for bit, of those on the lower side.
+/// Default box: [0, 2 pi]^3. Along each axis on which the box is one period long, the tensors on
+/// the upper side are copies, bit for bit, of those on the lower side.
 TensorField generate_abc(const GridOptions& options, const AbcParameters& parameters = {});
 
 /// Convection between two horizontal plates, heated from below, in a box [0,2] x [0,1] x [0,1] that
 /// holds two cells. The velocity is a sum of the marginal modes of Rayleigh's linear stability
 /// problem with stress-free plates and side walls, as in Chandrasekhar's "Hydrodynamic and
 /// Hydromagnetic Stability" (1961), chapter II: each mode has w = sin(pi z) f(x, y) where f is an
-/// eigenfunction of the horizontal Laplacian, lap f = -a^2 f; continuity and the absence of vertical
-/// vorticity give (u, v) = pi cos(pi z) grad f / a^2. Here f is the roll cos(pi x), a^2 = pi^2,
-/// plus `modulation` times the rectangular cell cos(pi x) cos(pi y), a^2 = 2 pi^2, so that the cells
-/// are three-dimensional. To this is added `swirl` times a horizontal flow of stream function
-/// sin(pi x) sin(pi y) cos(pi z) / pi, the vertical vorticity that secondary instabilities bring.
-/// No fluid crosses the walls, and the divergence is zero.
+/// eigenfunction of the horizontal Laplacian, lap f = -a^2 f; continuity and the absence of
+/// vertical vorticity give (u, v) = pi cos(pi z) grad f / a^2. Here f is the roll cos(pi x), a^2 =
+/// pi^2, plus `modulation` times the rectangular cell cos(pi x) cos(pi y), a^2 = 2 pi^2, so that
+/// the cells are three-dimensional. To this is added `swirl` times a horizontal flow of stream
+/// function sin(pi x) sin(pi y) cos(pi z) / pi, the vertical vorticity that secondary instabilities
+/// bring. No fluid crosses the walls, and the divergence is zero.
 struct RayleighBenardParameters {
   double modulation = 0.5;
   double swirl = 0.125;
@@ -51,9 +51,9 @@ Tensor<double> rayleigh_benard_gradient(const Point& x,
 TensorField generate_rayleigh_benard(const GridOptions& options,
                                      const RayleighBenardParameters& parameters = {});
 
-/// A linear field T0 + x Tx + y Ty + z Tz whose 36 numbers are random multiples of 2^-16 in [-1, 1],
-/// drawn from the seed. Default box: [-1,1]^3. If n is a power of two (at most 64), the values are
-/// exact, also with jitter: the same field on different meshes.
+/// A linear field T0 + x Tx + y Ty + z Tz whose 36 numbers are random multiples of 2^-16 in [-1,
+/// 1], drawn from the seed. Default box: [-1,1]^3. If n is a power of two (at most 64), the values
+/// are exact, also with jitter: the same field on different meshes.
 TensorField generate_random_linear(const GridOptions& options);
 
 /// Nine independent random numbers in [-1, 1) at every vertex. Default box: [0,1]^3.

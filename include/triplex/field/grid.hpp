@@ -17,8 +17,8 @@ struct Box {
   Point hi{1, 1, 1};
 };
 
-/// How a grid cell is cut into tets. Six: Kuhn's cut along the diagonal (0,0,0)-(1,1,1), the same in
-/// every cell, so that opposite sides of the grid match. Five: one regular and four corner tets,
+/// How a grid cell is cut into tets. Six: Kuhn's cut along the diagonal (0,0,0)-(1,1,1), the same
+/// in every cell, so that opposite sides of the grid match. Five: one regular and four corner tets,
 /// mirrored in every other cell.
 enum class CellSplit : std::uint8_t { Six, Five };
 
@@ -27,7 +27,8 @@ struct GridOptions {
   int n = 13;
   /// The generator's own box if not given.
   std::optional<Box> box = std::nullopt;
-  /// Interior vertices are moved by up to this fraction of the spacing along each axis, in [0, 0.5).
+  /// Interior vertices are moved by up to this fraction of the spacing along each axis, in [0,
+  /// 0.5).
   double jitter = 0;
   /// Of the jitter and of random fields.
   std::uint64_t seed = 1;

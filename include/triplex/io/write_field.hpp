@@ -12,9 +12,10 @@ namespace triplex {
 /// Whether `write_field` knows the extension of the file: .vtu or .vtk.
 bool can_write_field(const std::filesystem::path& file);
 
-/// Writes a field as .vtu (inline base64) or legacy .vtk (binary), by extension. Doubles are written
-/// bit for bit; equal fields give equal bytes. The array is called `field.array_name`, or "tensor".
-/// Guarantee: all or nothing, as `write_file_atomically`. \throw IoError, also for other extensions.
+/// Writes a field as .vtu (inline base64) or legacy .vtk (binary), by extension. Doubles are
+/// written bit for bit; equal fields give equal bytes. The array is called `field.array_name`, or
+/// "tensor". Guarantee: all or nothing, as `write_file_atomically`. \throw IoError, also for other
+/// extensions.
 void write_field(const std::filesystem::path& file, const TensorField& field);
 
 }  // namespace triplex
