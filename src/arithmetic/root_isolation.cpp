@@ -12,8 +12,9 @@
 namespace triplex {
 namespace {
 
-// Bisections of [0,1] after which a polynomial is suspected of a multiple root and made square-free.
-// Any value is right; roots closer than this, 2^-32, are rarer than exact multiple ones.
+// Bisections of [0,1] after which a polynomial is suspected of a multiple root and made
+// square-free. Any value is right; roots closer than this, 2^-32, are rarer than exact multiple
+// ones.
 constexpr unsigned kPlainDepth = 32;
 constexpr unsigned kNoLimit = std::numeric_limits<unsigned>::max();
 
@@ -38,15 +39,14 @@ Sign first_sign(const std::vector<mpz_class>& b) {
 }
 
 int leading_zeros(const std::vector<mpz_class>& b) {
-  return static_cast<int>(std::find_if(b.begin(), b.end(), [](const mpz_class& c) {
-                            return sgn(c) != 0;
-                          }) - b.begin());
+  return static_cast<int>(
+      std::find_if(b.begin(), b.end(), [](const mpz_class& c) { return sgn(c) != 0; }) - b.begin());
 }
 
 int trailing_zeros(const std::vector<mpz_class>& b) {
-  return static_cast<int>(std::find_if(b.rbegin(), b.rend(), [](const mpz_class& c) {
-                            return sgn(c) != 0;
-                          }) - b.rbegin());
+  return static_cast<int>(
+      std::find_if(b.rbegin(), b.rend(), [](const mpz_class& c) { return sgn(c) != 0; }) -
+      b.rbegin());
 }
 
 // De Casteljau at 1/2 without the halvings: both halves' coefficients times 2^n. The right half
@@ -99,7 +99,8 @@ RootIsolation::RootIsolation(std::vector<mpz_class> bernstein)
     : polynomial_(from_bernstein(bernstein)), separating_(polynomial_) {
   if (identically_zero()) return;
   if (!isolate_plainly(std::move(bernstein), kPlainDepth)) {
-    // Suspected multiple root: separate the roots of the square-free part, then tell multiplicities.
+    // Suspected multiple root: separate the roots of the square-free part, then tell
+    // multiplicities.
     const std::vector<IntegerPolynomial> factors = square_free_factors(polynomial_);
     separating_ = quotient(polynomial_, gcd(polynomial_, derivative(polynomial_)));
     isolate_plainly(to_bernstein(separating_, 0, 1, 0), kNoLimit);
@@ -126,7 +127,8 @@ RootIsolation::RootIsolation(std::span<const double> bernstein)
 bool RootIsolation::isolate_plainly(std::vector<mpz_class> bernstein, unsigned max_depth) {
   roots_.clear();
   sign_after_lo_.clear();
-  const auto add = [&](mpz_class lo, mpz_class hi, unsigned exponent, int multiplicity, Sign after) {
+  const auto add = [&](mpz_class lo, mpz_class hi, unsigned exponent, int multiplicity,
+                       Sign after) {
     roots_.push_back({std::move(lo), std::move(hi), exponent, multiplicity});
     sign_after_lo_.push_back(after);
   };
@@ -203,7 +205,8 @@ void RootIsolation::refine(std::size_t i, unsigned bits) {
 Sign RootIsolation::sign_at_root(const IntegerPolynomial& g, std::size_t i) {
   const RootInterval& root = roots_[i];
   if (g.empty()) return Sign::Zero;
-  constexpr int kTriesBeforeGcd = 8;  // a common root is rare: look for it once bisection seems stuck
+  constexpr int kTriesBeforeGcd =
+      8;  // a common root is rare: look for it once bisection seems stuck
   for (int tries = 0;; ++tries) {
     if (root.is_point()) return sign_at(g, {root.lo, root.exponent});
     const std::vector<mpz_class> b = to_bernstein(g, root.lo, root.hi, root.exponent);
@@ -228,7 +231,8 @@ int compare_roots(RootIsolation& a, std::size_t i, RootIsolation& b, std::size_t
     return static_cast<int>(compare(y.hi, y.exponent, x.lo, x.exponent) < 0);
   };
   if (const int order = separated(); order != 0) return order;
-  // b's polynomial vanishes at a's root: it is b's root j as soon as no other interval of b holds it.
+  // b's polynomial vanishes at a's root: it is b's root j as soon as no other interval of b holds
+  // it.
   if (a.sign_at_root(b.separating_, i) == Sign::Zero) {
     if (x.is_point() && y.is_point()) return compare(x.lo, x.exponent, y.lo, y.exponent);
     // The roots differ only if a's root is another root of b; their closed intervals are disjoint.

@@ -10,6 +10,7 @@
 #include "triplex/arithmetic/exact.hpp"
 #include "triplex/arithmetic/exact_conversion.hpp"
 #include "triplex/arithmetic/filter.hpp"
+#include "triplex/bernstein/discriminant.hpp"
 #include "triplex/bernstein/forms.hpp"
 
 namespace triplex {
@@ -70,8 +71,8 @@ struct ScaledSimplex {
     const double zx = std::fabs(t[8] - t[0]);
     double off_diagonal = 0;
     for (const int i : {1, 2, 3, 5, 6, 7}) off_diagonal = std::fmax(off_diagonal, std::fabs(t[i]));
-    return gamma(3) * std::fmax(std::fmax(xy + yz, yz + zx), zx + xy) + 3 * gamma(2) * off_diagonal +
-           kUnderflow;
+    return gamma(3) * std::fmax(std::fmax(xy + yz, yz + zx), zx + xy) +
+           3 * gamma(2) * off_diagonal + kUnderflow;
   }
   // Scaling loses at most half of the smallest denormal, 2^-1075, per entry; tripled and summed.
   static constexpr double kUnderflow = 0x1p-1070;
@@ -100,82 +101,6 @@ class LazyExactForms {
   const std::array<Tensor<double>, N>& tensors_;
   std::optional<Forms<Exact, N>> forms_;
 };
-
-// Position of the sum of multi-indices number a and b of degrees DA and DB.
-template <int N, int DA, int DB>
-constexpr auto sum_table() {
-  constexpr auto kA = multi_indices<N, DA>();
-  constexpr auto kB = multi_indices<N, DB>();
-  constexpr auto kSum = multi_indices<N, DA + DB>();
-  std::array<std::array<int, kB.size()>, kA.size()> table{};
-  for (std::size_t a = 0; a < kA.size(); ++a) {
-    for (std::size_t b = 0; b < kB.size(); ++b) {
-      for (std::size_t s = 0; s < kSum.size(); ++s) {
-        bool equal = true;
-        for (int i = 0; i < N; ++i) equal = equal && kA[a][i] + kB[b][i] == kSum[s][i];
-        if (equal) table[a][b] = static_cast<int>(s);
-      }
-    }
-  }
-  return table;
-}
-
-// Degree! / (m_1! ... m_N!) for each multi-index.
-template <int N, int Degree>
-constexpr auto multinomials() {
-  constexpr auto kAll = multi_indices<N, Degree>();
-  std::array<int, kAll.size()> weights{};
-  for (std::size_t n = 0; n < kAll.size(); ++n) {
-    int left = Degree;
-    weights[n] = 1;
-    for (int i = 0; i < N; ++i) {
-      weights[n] *= choose(left, kAll[n][i]);
-      left -= kAll[n][i];
-    }
-  }
-  return weights;
-}
-
-// The coefficients of 2 P^3 + 3 Q^2 times their multinomials: products of Bernstein polynomials
-// without division. r[m] = 2 sum_{a+b+c=m} w_a P_a w_b P_b w_c P_c + 3 sum_{a+b=m} w_a Q_a w_b Q_b.
-template <class NT, int N>
-std::array<NT, kBernsteinCoefficients<N, 6>> weighted_sextic(const Forms<NT, N>& f) {
-  static constexpr auto kPlus22 = sum_table<N, 2, 2>();
-  static constexpr auto kPlus42 = sum_table<N, 4, 2>();
-  static constexpr auto kPlus33 = sum_table<N, 3, 3>();
-  static constexpr auto kWeight2 = multinomials<N, 2>();
-  static constexpr auto kWeight3 = multinomials<N, 3>();
-  std::array<NT, kPairs<N>> p;
-  std::array<NT, kTriples<N>> q;
-  for (int a = 0; a < kPairs<N>; ++a) p[a] = NT(kWeight2[a]) * f.p[a];
-  for (int a = 0; a < kTriples<N>; ++a) q[a] = NT(kWeight3[a]) * f.q[a];
-
-  std::array<NT, kBernsteinCoefficients<N, 4>> square;
-  square.fill(NT(0));
-  for (int a = 0; a < kPairs<N>; ++a)
-    for (int b = 0; b < kPairs<N>; ++b) {
-      NT& sum = square[kPlus22[a][b]];
-      sum = sum + p[a] * p[b];
-    }
-  std::array<NT, kBernsteinCoefficients<N, 6>> cube;
-  cube.fill(NT(0));
-  for (int a = 0; a < kBernsteinCoefficients<N, 4>; ++a)
-    for (int b = 0; b < kPairs<N>; ++b) {
-      NT& sum = cube[kPlus42[a][b]];
-      sum = sum + square[a] * p[b];
-    }
-  std::array<NT, kBernsteinCoefficients<N, 6>> result;
-  result.fill(NT(0));
-  for (int a = 0; a < kTriples<N>; ++a)
-    for (int b = 0; b < kTriples<N>; ++b) {
-      NT& sum = result[kPlus33[a][b]];
-      sum = sum + q[a] * q[b];
-    }
-  for (std::size_t n = 0; n < result.size(); ++n) {
-    result[n] = NT(2) * cube[n] + NT(3) * result[n];
-  }
-  return result;
-}
 
 // One coefficient up the ladder: `value` with error at most `error`, both before the division;
 // `exact()` is the exact value times 2^(Degree * scale.exponent), as an Exact.
@@ -232,15 +157,15 @@ DetCoefficients<N> det_coefficients(const std::array<Tensor<double>, N>& tensors
 // The bound of the filter. Let P, Q bound the computed forms and e_P, e_Q their errors. A Bernstein
 // coefficient of P^3 is an average, with multinomial weights, of products P_a P_b P_c; so
 //   data:     2 ((P + e_P)^3 - P^3) + 3 ((Q + e_Q)^2 - Q^2) <= 6 (P + e_P)^2 e_P + 6 (Q + e_Q) e_Q
-//   rounding: weights 1, 2 are exact; a product and at most 10 terms in `square`; the same in `cube`;
-//             the factor 2 is exact: 20 roundings. Weights 3 and 6 of q: 1 on either side, a product,
-//             at most 20 terms, the factor 3: 23. The last sum: at most 24 in all,
+//   rounding: weights 1, 2 are exact; a product and at most 10 terms in P^2; the same in P^3;
+//             the factor 2 is exact: 20 roundings. Weights 3 and 6 of q: 1 on either side, a
+//             product, at most 20 terms, the factor 3: 23. The last sum: at most 24 in all,
 //             gamma(24) (2 P^3 + 3 Q^2).
 // Multiplied by the multinomial, as the sums are. Underflow is far below e_P^3 >= 2^-800.
 template <int N>
 DiscriminantCoefficients<N> discriminant_coefficients(
     const std::array<Tensor<double>, N>& tensors) {
-  static constexpr auto kWeight6 = multinomials<N, 6>();
+  static constexpr auto kWeight6 = kMonomials<N, 6>.multinomial;
   const ScaledSimplex<N> simplex(tensors);
   const Forms<double, N> f = forms_of<double, N>(simplex.a);
   const FormBounds bounds(simplex.bounds);
@@ -250,11 +175,11 @@ DiscriminantCoefficients<N> discriminant_coefficients(
   for (const double x : f.q) q = std::fmax(q, std::fabs(x));
   const double p_high = p + bounds.p_error;
   const double q_high = q + bounds.q_error;
-  const double error = (6 * p_high * p_high * bounds.p_error + 6 * q_high * bounds.q_error) *
-                           (1 + 0x1p-20) +
-                       gamma(24) * (2 * p * p * p + 3 * q * q);
+  const double error =
+      (6 * p_high * p_high * bounds.p_error + 6 * q_high * bounds.q_error) * (1 + 0x1p-20) +
+      gamma(24) * (2 * p * p * p + 3 * q * q);
 
-  const auto sextic = weighted_sextic<double, N>(f);
+  const auto sextic = minus_discriminant<double, N>(f);
   LazyExactForms<N> exact(tensors);
   std::optional<std::array<Exact, kBernsteinCoefficients<N, 6>>> exact_sextic;
   DiscriminantCoefficients<N> r;
@@ -262,7 +187,7 @@ DiscriminantCoefficients<N> discriminant_coefficients(
   for (std::size_t n = 0; n < r.values.size(); ++n) {
     decide(r, n, simplex.bounds.usable(), -sextic[n], kWeight6[n] * error,
            kWeight6[n] * kDiscriminantDivisor, [&] {
-             if (!exact_sextic) exact_sextic = weighted_sextic<Exact, N>(exact());
+             if (!exact_sextic) exact_sextic = minus_discriminant<Exact, N>(exact());
              return -(*exact_sextic)[n];
            });
   }

@@ -71,7 +71,8 @@ class SignedSimplex {
     if (certifies_graph(simplex_, sheet, stages_)) return true;
     // Last, as it costs most; the tet asks for it itself, once for both degenerate sheets.
     const bool degenerate = sheet == Sheet::DegenerateLinear || sheet == Sheet::DegeneratePlanar;
-    return N == 3 && degenerate && excludes_discriminant(simplex_, stages_);
+    return N == 3 && degenerate &&
+           uniform_sign_of_discriminant(simplex_, stages_) != Sign::Zero;
   }
 
  private:
@@ -110,18 +111,24 @@ class CellCheck {
   }
 
   CellCertificate run() {
-    if (possible_ == 0) return result_;
-    has_spine_ = !cell_.lacks_spine();
-    if (!has_spine_) exclude(kCurve);
-    if (possible_ == 0) return result_;
+    certify();
+    check_rotations();
+    return result_;
+  }
 
-    needed_ = has_spine_ ? kSpineSheets : 0;
-    for (int page = 0; page < kPages; ++page)
-      if (possible_ & bit(page)) needed_ |= sheet_bit(row(static_cast<Feature>(page)).sheet);
+ private:
+  void certify() {
+    if (possible_ == 0) return;
+    has_spine_ = !cell_.lacks_spine();
+    rotations_need_both_ = has_spine_;
+    if (!has_spine_) exclude(kCurve);
+    if (possible_ == 0) return;
+
+    needed_ = sheets_of_possible() | (has_spine_ ? kSpineSheets : 0);
 
     check(Obstacle::Cell, cell_, kWhole);
     if (failed_ & (sheet_bit(Sheet::DegenerateLinear) | sheet_bit(Sheet::DegeneratePlanar))) try_discriminant();
-    if (possible_ == 0) return result_;
+    if (possible_ == 0) return;
     for (const auto& face : kFaces) check_face(face);
     for (const auto& edge : kEdges) {
       SignedSimplex<2> simplex(stages_, *cell_, edge);
@@ -129,26 +136,33 @@ class CellCheck {
     }
     if (has_spine_) check_spine_in_cell();
     conclude();
-    return result_;
   }
 
- private:
   void exclude(FeatureSet features) {
     result_.excluded |= possible_ & features;
     possible_ &= ~features;
   }
 
-  /// D of one sign leaves neither degenerate page nor spine, so what they needed falls away.
+  /// D of one sign leaves neither degenerate page nor spine, so what they needed falls away. D > 0 keeps
+  /// (p, q) in the half plane p < 0; for D < 0 it is p and q, certified on the edges, that fix the
+  /// rotations.
   void try_discriminant() {
-    if (!excludes_discriminant(*cell_, stages_)) return;
+    const Sign sign = uniform_sign_of_discriminant(*cell_, stages_);
+    if (sign == Sign::Zero) return;
     exclude(kDegenerate | kCurve);
+    rotations_need_both_ = has_spine_ && sign == Sign::Negative;
     has_spine_ = false;
-    spine_failed_ = false;
-    needed_ = failed_ = 0;
+    failed_ = 0;
     result_.obstacle = Obstacle::None;
-    for (int page = 0; page < kPages; ++page)
-      if (possible_ & bit(page)) needed_ |= sheet_bit(row(static_cast<Feature>(page)).sheet);
+    needed_ = sheets_of_possible() | (rotations_need_both_ ? kSpineSheets : 0);
     check(Obstacle::Cell, cell_, kWhole);
+  }
+
+  SheetSet sheets_of_possible() const {
+    SheetSet sheets = 0;
+    for (int page = 0; page < kPages; ++page)
+      if (possible_ & bit(page)) sheets |= sheet_bit(row(static_cast<Feature>(page)).sheet);
+    return sheets;
   }
 
   void check_face(const std::array<int, 3>& local) {
@@ -214,10 +228,11 @@ class CellCheck {
     result_.variation = choice.variation;
   }
 
-  /// A page is open if its sheet failed anywhere in the tet, or if the spine that may bound it did.
+  /// A page is open if its sheet failed anywhere in the tet, or if the spine that may bound it did, or
+  /// what fixes the rotations.
   void conclude() {
     const bool spine_open =
-        has_spine_ && (spine_failed_ || (failed_ & kSpineSheets) != 0);
+        rotations_need_both_ && (spine_failed_ || (failed_ & kSpineSheets) != 0);
     for (int page = 0; page < kPages; ++page) {
       if (!(possible_ & bit(page))) continue;
       const bool failed = (failed_ & sheet_bit(row(static_cast<Feature>(page)).sheet)) || spine_open;
@@ -228,6 +243,25 @@ class CellCheck {
     if (result_.open == 0) result_.obstacle = Obstacle::None;
   }
 
+  /// Extraction reads pages off the rotations. Where no page of interest is left, nothing above proves
+  /// these; a rotation across an excluded page then shows that it is the wrong one, and the edge must
+  /// be cut. (Never so when all features are requested, as p or q is then certified.)
+  void check_rotations() {
+    for (const auto& edge : kEdges) {
+      const VertexId a = vertices_[edge[0]], b = vertices_[edge[1]];
+      if (sector(a) == sector(b)) continue;
+      const auto rotation = rotation_along((*cell_).field(), a, b, sector(a), sector(b), stages_);
+      FeatureSet wrong = kAllFeatures;
+      if (rotation) wrong = result_.excluded & pages_crossed(sector(a), *rotation);
+      wrong &= result_.excluded | result_.graph;
+      if (wrong == 0) continue;
+      block(Obstacle::Edge, Simplex<2>(*cell_, edge), edge, {.p = true, .q = true});
+      result_.excluded &= ~wrong;
+      result_.graph &= ~wrong;
+      result_.open |= wrong;
+    }
+  }
+
   const std::array<VertexId, 4>& vertices_;
   SectorTable sectors_;
   SignStages& stages_;
@@ -235,6 +269,7 @@ class CellCheck {
   FeatureSet possible_ = 0;
   SheetSet needed_ = 0, failed_ = 0;
   bool has_spine_ = false, spine_failed_ = false;
+  bool rotations_need_both_ = false;  // p and q on the edges fix the rotations
   CellCertificate result_;
 };
 

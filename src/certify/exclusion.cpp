@@ -201,10 +201,11 @@ bool excludes_degenerate_page(const Simplex<N>& simplex, Sign s, SignStages& sta
 }
 
 template <int N>
-bool excludes_discriminant(const Simplex<N>& simplex, SignStages& stages) {
+Sign uniform_sign_of_discriminant(const Simplex<N>& simplex, SignStages& stages) {
   const auto& f = simplex.approximate();
   const double corner = -(2 * f.p[0] * f.p[0] * f.p[0] + 3 * f.q[0] * f.q[0]);
-  return simplex.decide(UniformDiscriminant{corner < 0 ? Sign::Negative : Sign::Positive}, stages);
+  const Sign likely = corner < 0 ? Sign::Negative : Sign::Positive;
+  return simplex.decide(UniformDiscriminant{likely}, stages) ? likely : Sign::Zero;
 }
 
 template <int N>
@@ -229,7 +230,7 @@ bool excludes_spine(const Simplex<N>& simplex, SignStages& stages) {
   template Sign uniform_sign_of_p<N>(const Simplex<N>&, SignStages&);               \
   template Sign uniform_sign_of_q<N>(const Simplex<N>&, SignStages&);               \
   template bool excludes_degenerate_page<N>(const Simplex<N>&, Sign, SignStages&);  \
-  template bool excludes_discriminant<N>(const Simplex<N>&, SignStages&);           \
+  template Sign uniform_sign_of_discriminant<N>(const Simplex<N>&, SignStages&);    \
   template bool excludes_spine<N>(const Simplex<N>&, SignStages&);
 TRIPLEX_INSTANTIATE(2)
 TRIPLEX_INSTANTIATE(3)

@@ -13,6 +13,8 @@ constexpr std::array<std::array<int, 3>, 4> kOutwardFaces = {
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 constexpr std::array<std::array<int, 4>, 4> kEdgeNumber = {
     {{-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}}};
+/// Bit f: the edge lies on face f, that is, does not end at vertex f.
+constexpr std::array<std::uint8_t, 6> kFacesOfEdge = {0b1100, 0b1010, 0b0110, 0b1001, 0b0101, 0b0011};
 constexpr int kEdges = 6, kFacesOfCell = 4;
 constexpr int kNodes = kEdges + kFacesOfCell;  // per page: a crossing per edge, a spine point per face
 constexpr int spine_node(int face) { return kEdges + face; }
@@ -113,10 +115,11 @@ class CellTracer {
     return EdgeCrossings::crossing_of(*edges_[e], labels_[index(edges_[e]->ends[0])], page);
   }
   PatchVertex crossing_vertex(int e, Feature page) const {
-    return {static_cast<std::uint32_t>(crossing(e, page)), false};
+    return {static_cast<std::uint32_t>(crossing(e, page)), false, kFacesOfEdge[e]};
   }
   PatchVertex spine_vertex(int face) const {
-    return {static_cast<std::uint32_t>(spine_number_[face]), true};
+    return {static_cast<std::uint32_t>(spine_number_[face]), true,
+            static_cast<std::uint8_t>(1u << face)};
   }
 
   const Leaf& leaf_;

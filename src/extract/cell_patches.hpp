@@ -14,9 +14,7 @@ namespace triplex {
 struct PatchVertex {
   std::uint32_t number = 0;  ///< in EdgeCrossings::crossings() or FaceSpinePoints::points()
   bool on_spine = false;
-
-  friend bool operator==(const PatchVertex&, const PatchVertex&) = default;
-  friend auto operator<=>(const PatchVertex&, const PatchVertex&) = default;
+  std::uint8_t faces = 0;  ///< of the tet at hand, as bits: those that the vertex lies on
 };
 
 /// The oriented boundary of one patch of a page in a tet, normal towards growing angle of (p, q).

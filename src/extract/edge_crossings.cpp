@@ -41,12 +41,6 @@ std::vector<Ends> crossed_ends(const RefinedComplex& complex, const std::vector<
   return all;
 }
 
-/// Page number i along an edge that leaves a sector.
-Feature page_along(Sector from, int rotation, int i) {
-  const int page = rotation > 0 ? index(from) + 1 + i : index(from) - i;
-  return static_cast<Feature>((page + kPages) % kPages);
-}
-
 }  // namespace
 
 EdgeCrossings::EdgeCrossings(const RefinedComplex& complex, const std::vector<Sector>& labels,
@@ -81,7 +75,7 @@ EdgeCrossings::EdgeCrossings(const RefinedComplex& complex, const std::vector<Se
       const CrossedEdge& edge = edges_[n];
       const Simplex<2> simplex(complex.field, edge.ends);
       for (int i = 0; i < edge.count(); ++i) {
-        const Feature page = page_along(labels[index(edge.ends[0])], edge.rotation, i);
+        const Feature page = page_crossed(labels[index(edge.ends[0])], edge.rotation, i);
         Crossing& crossing = crossings_[edge.first + static_cast<std::uint32_t>(i)];
         crossing.page = page;
         if (!(features & bit(page))) continue;

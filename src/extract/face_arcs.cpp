@@ -123,10 +123,12 @@ int FaceSpinePoints::find(const std::array<VertexId, 3>& face) const {
 }
 
 Point FaceSpinePoints::position(const RefinedComplex& complex, const SpinePoint& point) const {
-  Point x{};
-  for (int i = 0; i < 3; ++i) {
+  // From the first corner, so that a coordinate that all corners share is kept exactly.
+  const Point origin = complex.field.position(point.face[0]);
+  Point x = origin;
+  for (int i = 1; i < 3; ++i) {
     const Point corner = complex.field.position(point.face[i]);
-    for (int k = 0; k < 3; ++k) x[k] += point.barycentric[i] * corner[k];
+    for (int k = 0; k < 3; ++k) x[k] += point.barycentric[i] * (corner[k] - origin[k]);
   }
   return x;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace triplex {
 namespace {
@@ -44,6 +45,23 @@ std::array<double, 3> on_feature(Feature feature, double p, double q) {
   }
   return {p, q, 0};
 }
+/// The vertex from which a loop is fanned. It must not depend on where the loop starts or which way it runs.
+/// No diagonal should lie in a face of the tet, where a neighbour might use it too (this can only
+/// happen in open tets, where a page may have two arcs on a face); then a spine point; then the lowest.
+std::size_t apex_of(const PatchLoop& loop) {
+  const std::size_t n = loop.size();
+  const auto rank = [&](std::size_t i) {
+    int diagonals_in_faces = 0;
+    for (std::size_t k = 2; k + 1 < n; ++k)
+      diagonals_in_faces += (loop[i].faces & loop[(i + k) % n].faces) != 0;
+    return std::tuple(diagonals_in_faces, !loop[i].on_spine, loop[i].number);
+  };
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < n; ++i)
+    if (rank(i) < rank(best)) best = i;
+  return best;
+}
+
 constexpr std::array<double, 3> kOnSpine = {0, 0, std::numeric_limits<double>::quiet_NaN()};
 
 }  // namespace
@@ -94,14 +112,11 @@ void FeatureMeshBuilder::add_leaf(const Leaf& leaf, FeatureSet features, Cells& 
 
 void FeatureMeshBuilder::add_fan(const PatchLoop& loop, std::int64_t source, bool certified,
                                  std::vector<Cell>& out) const {
-  std::size_t apex = 0;
-  const auto spine = std::find_if(loop.begin(), loop.end(), [](auto& v) { return v.on_spine; });
-  if (spine != loop.end()) {
-    apex = static_cast<std::size_t>(spine - loop.begin());
-  } else if (loop.size() == 4) {
-    const double d02 = squared_distance(position(loop[0]), position(loop[2]));
-    const double d13 = squared_distance(position(loop[1]), position(loop[3]));
-    apex = d13 < d02 ? 1 : 0;
+  std::size_t apex = apex_of(loop);
+  if (loop.size() == 4 && !loop[apex].on_spine) {
+    const auto corner = [&](std::size_t i) { return position(loop[(apex + i) % 4]); };
+    if (squared_distance(corner(1), corner(3)) < squared_distance(corner(0), corner(2)))
+      apex = (apex + 1) % 4;
   }
   for (std::size_t i = 1; i + 1 < loop.size(); ++i)
     out.push_back({{loop[apex], loop[(apex + i) % loop.size()], loop[(apex + i + 1) % loop.size()]},

@@ -32,10 +32,10 @@ Classification on_axis(Sign p) {
 Classification classify(const Tensor<double>& t) { return classify(invariants(t, 1.0)); }
 
 Classification classify(const Invariants& i) {
-  Classification c = i.sign_q == Sign::Zero       ? on_axis(i.sign_p)
-                     : i.sign_q == Sign::Positive ? in_upper_half(i.sign_p, i.sign_discriminant)
-                                                  : reflected(in_upper_half(
-                                                        i.sign_p, i.sign_discriminant));
+  Classification c = i.sign_q == Sign::Zero ? on_axis(i.sign_p)
+                     : i.sign_q == Sign::Positive
+                         ? in_upper_half(i.sign_p, i.sign_discriminant)
+                         : reflected(in_upper_half(i.sign_p, i.sign_discriminant));
   c.stage = i.stage;
   return c;
 }

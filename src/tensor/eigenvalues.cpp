@@ -16,10 +16,10 @@ constexpr double kRelativeError = 0x1p-45;  // the best that `invariants` offers
 // The equation l^3 + p l = q of |q| (the sign is put back at the end), scaled by a power of two so
 // that the larger of |p|^(1/2) and |q|^(1/3) is of size one, with D = -4 p^3 - 27 q^2.
 struct Cubic {
-  double third_of_p;      // |p| / 3
-  double half_of_q;       // |q| / 2
-  double root_of_d;       // sqrt(|D| / 108): D / 108 = (|p|/3)^3 - (q/2)^2 for p < 0
-  int exponent;           // eigenvalues are 2^exponent times those of the scaled equation
+  double third_of_p;  // |p| / 3
+  double half_of_q;   // |q| / 2
+  double root_of_d;   // sqrt(|D| / 108): D / 108 = (|p|/3)^3 - (q/2)^2 for p < 0
+  int exponent;       // eigenvalues are 2^exponent times those of the scaled equation
 
   explicit Cubic(const Invariants& i) {
     // p = f 2^e has a square root below 2^ceil(e/2), q a cube root below 2^ceil(e/3).

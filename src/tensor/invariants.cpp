@@ -53,10 +53,10 @@ struct Filtered {
   double p_error, q_error, s_error;
 };
 
-// Let X = |xx - yy| + |xx - zz| and so on as computed: the diagonal entry of A' has two roundings on
-// either difference, so its error is at most gamma(2) X, as |3 t| gamma(1) off the diagonal. With
-// these magnitudes in place of the entries, let |P| and |Q| be the sums of the absolute values of all
-// terms, as computed. Then
+// Let X = |xx - yy| + |xx - zz| and so on as computed: the diagonal entry of A' has two roundings
+// on either difference, so its error is at most gamma(2) X, as |3 t| gamma(1) off the diagonal.
+// With these magnitudes in place of the entries, let |P| and |Q| be the sums of the absolute values
+// of all terms, as computed. Then
 //   P: two entries with 2 roundings each, a product, doubling is exact, 5 sums: 10,
 //      and as many again in |P| itself, covered by gamma's factor: error <= gamma(10) |P|;
 //   Q: three entries with 2 each, two products, a difference, 2 sums, a factor 6: 12,
@@ -75,8 +75,8 @@ Filtered filtered(const Tensor<double>& t, const Tensor<double>& a) {
   m[8] = yz + zx;
 
   Filtered f{};
-  f.p = -((a[0] * a[0] + a[4] * a[4] + a[8] * a[8]) +
-          2 * (a[1] * a[3] + a[2] * a[6] + a[5] * a[7]));
+  f.p =
+      -((a[0] * a[0] + a[4] * a[4] + a[8] * a[8]) + 2 * (a[1] * a[3] + a[2] * a[6] + a[5] * a[7]));
   f.p_error = gamma(10) * ((m[0] * m[0] + m[4] * m[4] + m[8] * m[8]) +
                            2 * (m[1] * m[3] + m[2] * m[6] + m[5] * m[7])) +
               kTiny;
@@ -155,13 +155,12 @@ Invariants invariants(const Tensor<double>& t, double relative_error) {
 }
 
 double trace_approx(const Tensor<double>& t) {
-  const int e = exponent_of(std::fmax(std::fmax(std::fabs(t[0]), std::fabs(t[4])), std::fabs(t[8])));
+  const int e =
+      exponent_of(std::fmax(std::fmax(std::fabs(t[0]), std::fabs(t[4])), std::fabs(t[8])));
   return std::ldexp(std::ldexp(t[0], -e) + std::ldexp(t[4], -e) + std::ldexp(t[8], -e), e);
 }
 
-Sign trace_sign(const Tensor<double>& t) {
-  return sign(Exact(t[0]) + Exact(t[4]) + Exact(t[8]));
-}
+Sign trace_sign(const Tensor<double>& t) { return sign(Exact(t[0]) + Exact(t[4]) + Exact(t[8])); }
 
 Tensor<double> deviator_approx(const Tensor<double>& t) {
   // A third of the tripled deviator: no cancellation against a large trace. Scaled to size one, so

@@ -29,14 +29,22 @@ class Doubles {
   explicit Doubles(unsigned long seed) : random_(seed) {}
   double operator()() {
     switch (std::uniform_int_distribution<int>(0, 9)(random_)) {
-      case 0: return 0;
-      case 1: return sign() * std::numeric_limits<double>::denorm_min();
-      case 2: return sign() * DBL_MAX;
-      case 3: return sign() * DBL_MIN;
-      case 4: return sign() * 1e300;
-      case 5: return sign() * std::ldexp(1.0, exponent_(random_));
-      case 6: return std::ldexp(mantissa_(random_), -1060);
-      default: return std::ldexp(mantissa_(random_), exponent_(random_));
+      case 0:
+        return 0;
+      case 1:
+        return sign() * std::numeric_limits<double>::denorm_min();
+      case 2:
+        return sign() * DBL_MAX;
+      case 3:
+        return sign() * DBL_MIN;
+      case 4:
+        return sign() * 1e300;
+      case 5:
+        return sign() * std::ldexp(1.0, exponent_(random_));
+      case 6:
+        return std::ldexp(mantissa_(random_), -1060);
+      default:
+        return std::ldexp(mantissa_(random_), exponent_(random_));
     }
   }
 
@@ -127,8 +135,10 @@ TEST(ExactConversion, DoublesAndExponents) {
     ASSERT_GE(std::fabs(f), 0.5);
     ASSERT_LT(std::fabs(f), 1);
     mpq_class expected = mpq_class(a) * mpq_class(b);
-    if (k > 0) mpq_div_2exp(expected.get_mpq_t(), expected.get_mpq_t(), static_cast<mp_bitcnt_t>(k));
-    if (k < 0) mpq_mul_2exp(expected.get_mpq_t(), expected.get_mpq_t(), static_cast<mp_bitcnt_t>(-k));
+    if (k > 0)
+      mpq_div_2exp(expected.get_mpq_t(), expected.get_mpq_t(), static_cast<mp_bitcnt_t>(k));
+    if (k < 0)
+      mpq_mul_2exp(expected.get_mpq_t(), expected.get_mpq_t(), static_cast<mp_bitcnt_t>(-k));
     ASSERT_LE(abs(mpq_class(f) - expected), abs(expected) * mpq_class(0x1p-52));
   }
 }

@@ -93,7 +93,8 @@ TEST_F(FpEnvironment, EachThreadHasItsOwn) {
   std::optional<std::string> in_thread;
   std::thread([&] {  // a new thread inherits its parent's environment
     in_thread = with_fp_environment(check_fp_environment);
-  }).join();
+  })
+      .join();
   const int here = std::fegetround();
   ASSERT_EQ(std::fesetround(FE_TONEAREST), 0);
   EXPECT_EQ(in_thread, std::nullopt);

@@ -66,10 +66,18 @@ TEST_F(Infinitesimal, AgreesWithUntruncatedPolynomials) {
     for (int k = 0; k < 6; ++k) {
       const Pair y = draw();
       switch (small_(random_)) {
-        case 0: x = {x.series + y.series, plus(x.polynomial, y.polynomial, 1)}; break;
-        case 1: x = {x.series - y.series, plus(x.polynomial, y.polynomial, -1)}; break;
-        case 2: x = {-x.series, plus({}, x.polynomial, -1)}; break;
-        default: x = {x.series * y.series, times(x.polynomial, y.polynomial)}; break;
+        case 0:
+          x = {x.series + y.series, plus(x.polynomial, y.polynomial, 1)};
+          break;
+        case 1:
+          x = {x.series - y.series, plus(x.polynomial, y.polynomial, -1)};
+          break;
+        case 2:
+          x = {-x.series, plus({}, x.polynomial, -1)};
+          break;
+        default:
+          x = {x.series * y.series, times(x.polynomial, y.polynomial)};
+          break;
       }
     }
     expect_same(x);
@@ -114,7 +122,8 @@ TEST_F(Infinitesimal, IsTheSignAtASmallNumber) {
     Pair x = draw();
     for (int k = 0; k < 3; ++k) {
       const Pair y = draw();
-      x = {x.series * y.series - y.series, plus(times(x.polynomial, y.polynomial), y.polynomial, -1)};
+      x = {x.series * y.series - y.series,
+           plus(times(x.polynomial, y.polynomial), y.polynomial, -1)};
     }
     mpq_class eps(1), value(0);
     mpq_div_2exp(eps.get_mpq_t(), eps.get_mpq_t(), 20000);
@@ -131,7 +140,8 @@ TEST(Perturbation, IsGeneric) {
   EXPECT_TRUE(b[1] != b[3] && b[2] != b[6] && b[5] != b[7]);
   std::array<long, 9> a;
   for (std::size_t i = 0; i < 9; ++i) a[i] = 3L * b[i] - (i % 4 == 0 ? trace : 0);
-  const mpz_class p = a[0] * a[4] - a[1] * a[3] + a[4] * a[8] - a[5] * a[7] + a[8] * a[0] - a[2] * a[6];
+  const mpz_class p =
+      a[0] * a[4] - a[1] * a[3] + a[4] * a[8] - a[5] * a[7] + a[8] * a[0] - a[2] * a[6];
   const mpz_class q = a[0] * (a[4] * a[8] - a[5] * a[7]) - a[1] * (a[3] * a[8] - a[5] * a[6]) +
                       a[2] * (a[3] * a[7] - a[4] * a[6]);
   EXPECT_NE(p, 0);

@@ -66,8 +66,10 @@ void expect_agrees(const std::vector<mpz_class>& bernstein, unsigned bits) {
     ASSERT_EQ(roots.size(), expected.size());
     for (std::size_t i = 0; i < roots.size(); ++i) {
       EXPECT_EQ(roots[i].multiplicity, expected[i].second);
-      const auto lo = kernel.compare_1_object()(expected[i].first, bound(roots[i].lo, roots[i].exponent));
-      const auto hi = kernel.compare_1_object()(expected[i].first, bound(roots[i].hi, roots[i].exponent));
+      const auto lo =
+          kernel.compare_1_object()(expected[i].first, bound(roots[i].lo, roots[i].exponent));
+      const auto hi =
+          kernel.compare_1_object()(expected[i].first, bound(roots[i].hi, roots[i].exponent));
       EXPECT_EQ(lo, roots[i].is_point() ? CGAL::EQUAL : CGAL::LARGER);
       EXPECT_EQ(hi, roots[i].is_point() ? CGAL::EQUAL : CGAL::SMALLER);
       EXPECT_GE(roots[i].lo, 0);
@@ -158,9 +160,9 @@ TEST(RootIsolation, ClusteredRoots) {
   // Roots at distance 2^-k, down to far below what a double could tell.
   for (unsigned k : {3u, 20u, 31u, 32u, 33u, 60u, 200u, 1000u}) {
     const mpz_class big = mpz_class(1) << k;
-    const IntegerPolynomial a = {-big, 3 * big};                 // 1/3
-    const IntegerPolynomial b = {-big - 1, 3 * big};             // 1/3 + 2^-k / 3
-    const IntegerPolynomial c = {-2 * big + 3, 6 * big};         // 1/3 - 2^-k / 2
+    const IntegerPolynomial a = {-big, 3 * big};                            // 1/3
+    const IntegerPolynomial b = {-big - 1, 3 * big};                        // 1/3 + 2^-k / 3
+    const IntegerPolynomial c = {-2 * big + 3, 6 * big};                    // 1/3 - 2^-k / 2
     const IntegerPolynomial mignotte = {-1, 2 * big, -big * big, 0, 0, 1};  // two near 2^-k
     expect_agrees(to_bernstein(product({a, b}), 0, 1, 0), 10);
     expect_agrees(to_bernstein(product({a, b, c}), 0, 1, 0), 10);

@@ -14,11 +14,12 @@
 namespace triplex {
 namespace {
 
+using oracle::multi_indices;
 using oracle::Random;
 __extension__ typedef __int128 Wide;
 
-// Entries up to 2^12: those of the tripled deviator at all four vertices together stay below 2^17, so
-// |p|, |q| <= 2^37, 2^54 and 4 |p|^3 + 27 q^2 < 2^114, intermediate sums included.
+// Entries up to 2^12: those of the tripled deviator at all four vertices together stay below 2^17,
+// so |p|, |q| <= 2^37, 2^54 and 4 |p|^3 + 27 q^2 < 2^114, intermediate sums included.
 constexpr int kRange = 1 << 12;
 
 template <int N, int Degree, class Coefficients>

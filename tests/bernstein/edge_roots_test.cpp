@@ -13,13 +13,14 @@
 #include "../oracle/polynomial_oracle.hpp"
 #include "../oracle/random_tensors.hpp"
 #include "triplex/arithmetic/root_isolation.hpp"
-#include "triplex/bernstein/coefficients.hpp"
+#include "triplex/bernstein/discriminant.hpp"
 #include "triplex/bernstein/forms.hpp"
 
 namespace triplex {
 namespace {
 
 using Kernel = CGAL::Algebraic_kernel_d_1<CORE::BigInt>;
+using oracle::choose;
 using oracle::Random;
 
 // Homogeneous in (1 - t, t), degree n, to the power basis in t.
@@ -70,8 +71,8 @@ std::vector<Exact> sextic(const Forms<Exact, 2>& f) {
   for (int i = 0; i <= 2; ++i)
     for (int j = 0; j <= 2; ++j)
       for (int k = 0; k <= 2; ++k)
-        r[i + j + k] = r[i + j + k] +
-                       Exact(2 * choose(2, i) * choose(2, j) * choose(2, k)) * f.p[i] * f.p[j] * f.p[k];
+        r[i + j + k] = r[i + j + k] + Exact(2 * choose(2, i) * choose(2, j) * choose(2, k)) *
+                                          f.p[i] * f.p[j] * f.p[k];
   for (int i = 0; i <= 3; ++i)
     for (int j = 0; j <= 3; ++j)
       r[i + j] = r[i + j] + Exact(3 * choose(3, i) * choose(3, j)) * f.q[i] * f.q[j];

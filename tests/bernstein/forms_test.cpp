@@ -55,8 +55,8 @@ TEST(Forms, TripleDeviatorIsTraceless) {
 TEST(Forms, VertexFormsAre18pAnd162q) {
   Random random(2);
   for (int n = 0; n < 500; ++n) {
-    const Tensor<double> t = n % 2 == 0 ? oracle::integer_tensor(random, 50)
-                                        : oracle::degenerate_tensor(random);
+    const Tensor<double> t =
+        n % 2 == 0 ? oracle::integer_tensor(random, 50) : oracle::degenerate_tensor(random);
     const auto f = forms_of<long, 1>({triple_deviator(as_integers(t))});
     const oracle::RationalInvariants expected = oracle::rational_invariants(t);
     EXPECT_EQ(mpq_class(f.p[0]), 18 * expected.p);
@@ -154,7 +154,8 @@ TEST(FormBounds, HoldAgainstExactForms) {
     entries.error = relative * m;
     for (int i = 0; i < 4; ++i)
       for (int k = 0; k < 9; ++k)
-        exact[i][k] = Exact(a[i][k]) + Exact(entries.error) * Exact(n % 2 == 0 ? unit(random) : 1.0);
+        exact[i][k] =
+            Exact(a[i][k]) + Exact(entries.error) * Exact(n % 2 == 0 ? unit(random) : 1.0);
     ASSERT_TRUE(entries.usable());
     const FormBounds bounds(entries);
     const auto f = forms_of<double, 4>(a);

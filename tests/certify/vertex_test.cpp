@@ -67,7 +67,8 @@ TEST(VertexSector, ExactZerosAreDecidedByTheExactStage) {
     ASSERT_EQ(a.sector, expected(t, 200));
     const auto i = oracle::rational_invariants(t);
     const bool asks_d = a.sector && sign_p(*a.sector) == Sign::Negative;
-    const unsigned zeros = (i.p == 0 ? 1u : 0u) + (i.q == 0 ? 1u : 0u) + (asks_d && i.d == 0 ? 1u : 0u);
+    const unsigned zeros =
+        (i.p == 0 ? 1u : 0u) + (i.q == 0 ? 1u : 0u) + (asks_d && i.d == 0 ? 1u : 0u);
     ASSERT_GE(a.stages.exact, zeros);
     if (i.p == 0 && i.q == 0) {
       ASSERT_EQ(a.stages.filter, 0u);
@@ -78,7 +79,8 @@ TEST(VertexSector, ExactZerosAreDecidedByTheExactStage) {
 TEST(VertexSector, EverySizeOfDouble) {
   Random random(3);
   for (int exponent = -1074; exponent <= 1000; exponent += 17) {
-    // Scaling changes nothing, exact zeros included: their perturbation is infinitesimal at any scale.
+    // Scaling changes nothing, exact zeros included: their perturbation is infinitesimal at any
+    // scale.
     const Tensor<double> t = oracle::degenerate_tensor(random);
     EXPECT_EQ(sector_of(oracle::scaled(t, exponent)).sector, expected(t, 200)) << exponent;
     const Tensor<double> u = oracle::scaled(oracle::double_tensor(random), exponent);
@@ -96,8 +98,8 @@ TEST(VertexSector, TinyTensorInALargeField) {
   Random random(4);
   for (int n = 0; n < 200; ++n) {
     const Tensor<double> tiny = oracle::scaled(oracle::degenerate_tensor(random), -1074 + n);
-    const TensorField field = oracle::scattered_field({oracle::scaled(oracle::double_tensor(random), n % 3 * 500),
-                                                      tiny});
+    const TensorField field =
+        oracle::scattered_field({oracle::scaled(oracle::double_tensor(random), n % 3 * 500), tiny});
     const RefinableField refinable(field);
     SignStages stages;
     EXPECT_EQ(sector_at(refinable, VertexId{1}, stages), expected(tiny, 20000));
@@ -119,8 +121,10 @@ TEST(VertexSector, LawsForNonzeroSigns) {
 TEST(VertexSector, Midpoints) {
   Random random(6);
   for (int n = 0; n < 500; ++n) {
-    const Tensor<double> a = n % 2 == 0 ? oracle::double_tensor(random) : oracle::degenerate_tensor(random);
-    const Tensor<double> b = n % 2 == 0 ? oracle::double_tensor(random) : oracle::degenerate_tensor(random);
+    const Tensor<double> a =
+        n % 2 == 0 ? oracle::double_tensor(random) : oracle::degenerate_tensor(random);
+    const Tensor<double> b =
+        n % 2 == 0 ? oracle::double_tensor(random) : oracle::degenerate_tensor(random);
     const TensorField field = oracle::scattered_field({a, b});
     RefinableField refinable(field);
     const auto half = refinable.add_midpoint(VertexId{0}, VertexId{1});

@@ -13,7 +13,44 @@
 /// Bernstein coefficient times its multinomial.
 namespace triplex::oracle {
 
-/// A homogeneous polynomial in N <= 4 variables; the exponent of the last one follows from the degree.
+/// C(n, k), the number of ways to choose k of n.
+constexpr int choose(int n, int k) { return k == 0 ? 1 : choose(n - 1, k - 1) * n / k; }
+
+/// Degree! / (m_1! ... m_N!).
+template <std::size_t N>
+constexpr int multinomial(const std::array<int, N>& m) {
+  int left = 0;
+  for (const int x : m) left += x;
+  int w = 1;
+  for (const int x : m) {
+    w *= choose(left, x);
+    left -= x;
+  }
+  return w;
+}
+
+/// All multi-indices of the degree in the documented order, descending in m_1, then m_2, and so on:
+/// a counter in base Degree + 1 that keeps those of the right sum.
+template <int N, int Degree>
+constexpr auto multi_indices() {
+  std::array<std::array<int, N>, choose(N + Degree - 1, Degree)> all{};
+  int size = 1;
+  for (int i = 0; i < N; ++i) size *= Degree + 1;
+  std::size_t n = 0;
+  for (int code = size - 1; code >= 0; --code) {
+    std::array<int, N> m{};
+    int sum = 0;
+    for (int i = N - 1, rest = code; i >= 0; --i, rest /= Degree + 1) {
+      m[i] = rest % (Degree + 1);
+      sum += m[i];
+    }
+    if (sum == Degree) all[n++] = m;
+  }
+  return all;
+}
+
+/// A homogeneous polynomial in N <= 4 variables; the exponent of the last one follows from the
+/// degree.
 template <class NT, int N>
 class Form {
  public:

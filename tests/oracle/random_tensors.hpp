@@ -51,7 +51,8 @@ inline Tensor<double> negated(Tensor<double> t) {
   return t;
 }
 
-/// S T S^-1 with S a product of three elementary integer shears: exact as long as entries stay small.
+/// S T S^-1 with S a product of three elementary integer shears: exact as long as entries stay
+/// small.
 inline Tensor<double> similar(Random& random, Tensor<double> t, int range = 3) {
   for (int n = 0; n < 3; ++n) {
     const int i = std::uniform_int_distribution<int>(0, 2)(random);
@@ -67,13 +68,13 @@ inline Tensor<double> similar(Random& random, Tensor<double> t, int range = 3) {
 
 /// The kinds of exactly degenerate tensors.
 enum class Kind {
-  Zero,         ///< T = 0
-  Isotropic,    ///< a multiple of the identity
-  Nilpotent,    ///< p = q = 0, rank 1 or 2
-  Degenerate,   ///< a double eigenvalue, p < 0, one eigenvector
-  Derogatory,   ///< a double eigenvalue with a two-dimensional eigenspace
-  Neutral,      ///< q = 0
-  Balanced,     ///< p = 0
+  Zero,        ///< T = 0
+  Isotropic,   ///< a multiple of the identity
+  Nilpotent,   ///< p = q = 0, rank 1 or 2
+  Degenerate,  ///< a double eigenvalue, p < 0, one eigenvector
+  Derogatory,  ///< a double eigenvalue with a two-dimensional eigenspace
+  Neutral,     ///< q = 0
+  Balanced,    ///< p = 0
   Symmetric,
   Antisymmetric,  ///< q = 0, p > 0
   RepeatedRows,
@@ -87,9 +88,13 @@ inline Tensor<double> degenerate_tensor(Random& random, Kind kind) {
   const auto d = [&](int range = 5) { return integer(random, range); };
   Tensor<double> t{};
   switch (kind) {
-    case Kind::Zero: return t;
-    case Kind::Isotropic: break;
-    case Kind::Nilpotent: t = similar(random, {0, d(2), d(2), 0, 0, d(2), 0, 0, 0}); break;
+    case Kind::Zero:
+      return t;
+    case Kind::Isotropic:
+      break;
+    case Kind::Nilpotent:
+      t = similar(random, {0, d(2), d(2), 0, 0, d(2), 0, 0, 0});
+      break;
     case Kind::Degenerate: {
       const double a = d();
       t = similar(random, {a, d(2), d(2), 0, a, d(2), 0, 0, -2 * a});
@@ -130,7 +135,8 @@ inline Tensor<double> degenerate_tensor(Random& random, Kind kind) {
       for (int j = 0; j < 3; ++j) t[3 + j] = t[j];
       return t;
     }
-    case Kind::FewDistinct: return integer_tensor(random, 1);
+    case Kind::FewDistinct:
+      return integer_tensor(random, 1);
   }
   const double trace = d(9);
   for (const int i : {0, 4, 8}) t[i] += trace;

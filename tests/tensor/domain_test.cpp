@@ -75,17 +75,16 @@ TEST(Domain, AgreesWithRationalArithmeticAndLaws) {
   Random random(1);
   std::array<int, 13> seen{};
   for (int n = 0; n < 20000; ++n) {
-    const Tensor<double> t = n % 4 == 0 ? oracle::integer_tensor(random, 9)
+    const Tensor<double> t = n % 4 == 0   ? oracle::integer_tensor(random, 9)
                              : n % 4 == 1 ? oracle::double_tensor(random)
                                           : oracle::degenerate_tensor(random);
     const Classification c = classify(t);
     ASSERT_EQ(c, expected(oracle::rational_invariants(t)));
     ++seen[c.stratum == Stratum::Spine ? 12 : (c.stratum == Stratum::Page ? 6 : 0) + c.number];
     ASSERT_EQ(classify(oracle::transposed(t)), c);
-    const Classification reflected =
-        c.stratum == Stratum::Sector ? sector(5 - c.number)
-        : c.stratum == Stratum::Page ? page((6 - c.number) % 6)
-                                     : kSpine;
+    const Classification reflected = c.stratum == Stratum::Sector ? sector(5 - c.number)
+                                     : c.stratum == Stratum::Page ? page((6 - c.number) % 6)
+                                                                  : kSpine;
     ASSERT_EQ(classify(oracle::negated(t)), reflected);
     if (n % 4 != 1) {  // integers survive any power of two, and shears exactly
       for (const int k : {-1074, -600, 600, 1000}) ASSERT_EQ(classify(oracle::scaled(t, k)), c);

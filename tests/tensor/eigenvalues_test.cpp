@@ -25,7 +25,8 @@ std::array<std::complex<double>, 3> all_of(const Eigenvalues& e) {
 }
 
 // The largest distance between two sets of three numbers under the best matching.
-double distance(std::array<std::complex<double>, 3> a, const std::array<std::complex<double>, 3>& b) {
+double distance(std::array<std::complex<double>, 3> a,
+                const std::array<std::complex<double>, 3>& b) {
   std::array<int, 3> order = {0, 1, 2};
   double best = HUGE_VAL;
   do {
@@ -93,8 +94,9 @@ TEST(Eigenvalues, KnownOnesWithCorrectLabels) {
   EXPECT_NEAR(permutation.im, std::sqrt(3.0) / 2, 1e-15);
 }
 
-// Known integer eigenvalues, conjugated so that nothing can be read off the entries. The formulas see
-// exact invariants, so even defective tensors come out to rounding, where QR loses half the digits.
+// Known integer eigenvalues, conjugated so that nothing can be read off the entries. The formulas
+// see exact invariants, so even defective tensors come out to rounding, where QR loses half the
+// digits.
 TEST(Eigenvalues, ConjugatedIntegerSpectra) {
   Random random(2);
   for (int n = 0; n < 5000; ++n) {
@@ -102,8 +104,15 @@ TEST(Eigenvalues, ConjugatedIntegerSpectra) {
                                oracle::integer(random, 9)};
     if (n % 3 == 0) l[1] = l[0];
     if (n % 9 == 0) l[2] = l[0];
-    const Tensor<double> upper = {l[0], oracle::integer(random, 3), oracle::integer(random, 3),
-                                  0,    l[1], oracle::integer(random, 3), 0, 0, l[2]};
+    const Tensor<double> upper = {l[0],
+                                  oracle::integer(random, 3),
+                                  oracle::integer(random, 3),
+                                  0,
+                                  l[1],
+                                  oracle::integer(random, 3),
+                                  0,
+                                  0,
+                                  l[2]};
     const Eigenvalues e = eigenvalues(oracle::similar(random, upper, 5));
     std::sort(l.begin(), l.end(), std::greater<>());
     ASSERT_TRUE(e.all_real);
@@ -113,9 +122,9 @@ TEST(Eigenvalues, ConjugatedIntegerSpectra) {
 }
 
 TEST(Eigenvalues, TripleDegenerate) {
-  for (const Tensor<double>& t :
-       {Tensor<double>{}, Tensor<double>{3, 0, 0, 0, 3, 0, 0, 0, 3},
-        Tensor<double>{3, 1e300, 0, 0, 3, -1e300, 0, 0, 3}, Tensor<double>{1, -1, 0, 1, -1, 0, 0, 0, 0}}) {
+  for (const Tensor<double>& t : {Tensor<double>{}, Tensor<double>{3, 0, 0, 0, 3, 0, 0, 0, 3},
+                                  Tensor<double>{3, 1e300, 0, 0, 3, -1e300, 0, 0, 3},
+                                  Tensor<double>{1, -1, 0, 1, -1, 0, 0, 0, 0}}) {
     const Eigenvalues e = eigenvalues(t);
     ASSERT_TRUE(e.all_real);
     for (const double x : e.real) EXPECT_EQ(x, (t[0] + t[4] + t[8]) / 3);

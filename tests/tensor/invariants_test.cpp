@@ -17,8 +17,10 @@ using oracle::Random;
 // mantissa 2^exponent, exactly.
 mpq_class exact_value(const ScaledReal& x) {
   mpq_class r(x.mantissa);
-  if (x.exponent > 0) mpq_mul_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(x.exponent));
-  if (x.exponent < 0) mpq_div_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(-x.exponent));
+  if (x.exponent > 0)
+    mpq_mul_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(x.exponent));
+  if (x.exponent < 0)
+    mpq_div_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(-x.exponent));
   return r;
 }
 
@@ -85,7 +87,7 @@ TEST(Invariants, NearlyDegenerateTensorsKeepTheirAccuracy) {
 
 TEST(Invariants, DecidingStage) {
   EXPECT_EQ(invariants({1, 2, 3, 4, 5, 6, 7, 8, 10}).stage, Stage::Filter);
-  EXPECT_EQ(invariants({0, 1, 0, 0, 0, 1, 0, 0, 0}).stage, Stage::Exact);  // nilpotent
+  EXPECT_EQ(invariants({0, 1, 0, 0, 0, 1, 0, 0, 0}).stage, Stage::Exact);   // nilpotent
   EXPECT_EQ(invariants({1, 0, 0, 0, 0, 0, 0, 0, -1}).stage, Stage::Exact);  // q = 0
 }
 

@@ -14,8 +14,8 @@
 
 namespace triplex {
 
-/// A closed interval [lo, hi] / 2^exponent that holds exactly one root. A point if lo = hi: then the
-/// root is that dyadic number. Otherwise the root lies strictly inside.
+/// A closed interval [lo, hi] / 2^exponent that holds exactly one root. A point if lo = hi: then
+/// the root is that dyadic number. Otherwise the root lies strictly inside.
 struct RootInterval {
   mpz_class lo;
   mpz_class hi;
@@ -31,9 +31,9 @@ struct RootInterval {
 
 /// The roots on [0,1] of a polynomial given by its Bernstein coefficients there.
 ///
-/// Laws: (1) the intervals are sorted, pairwise disjoint as closed sets, inside [0,1]; (2) each holds
-/// exactly one root, of the stated multiplicity; (3) no root on [0,1] lies outside; (4) nothing
-/// depends on the scale of the coefficients; (5) it always ends, multiple roots included.
+/// Laws: (1) the intervals are sorted, pairwise disjoint as closed sets, inside [0,1]; (2) each
+/// holds exactly one root, of the stated multiplicity; (3) no root on [0,1] lies outside; (4)
+/// nothing depends on the scale of the coefficients; (5) it always ends, multiple roots included.
 /// Source: proofs/root_isolation.md.
 class RootIsolation {
  public:

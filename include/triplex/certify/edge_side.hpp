@@ -23,4 +23,16 @@ std::optional<Sign> q_at_root_of_p(const RefinableField& field, VertexId a, Vert
 std::optional<int> rotation_along(const RefinableField& field, VertexId a, VertexId b,
                                   Sector sector_a, Sector sector_b, SignStages& stages);
 
+/// Page number i, from 0, that an edge leaving a sector with that rotation crosses.
+constexpr Feature page_crossed(Sector from, int rotation, int i) {
+  const int page = rotation > 0 ? index(from) + 1 + i : index(from) - i;
+  return static_cast<Feature>((page + kPages) % kPages);
+}
+constexpr FeatureSet pages_crossed(Sector from, int rotation) {
+  FeatureSet pages = 0;
+  for (int i = 0; i < (rotation < 0 ? -rotation : rotation); ++i)
+    pages |= bit(page_crossed(from, rotation, i));
+  return pages;
+}
+
 }  // namespace triplex

@@ -21,10 +21,11 @@ Sign uniform_sign_of_q(const Simplex<N>& simplex, SignStages& stages);
 template <int N>
 bool excludes_degenerate_page(const Simplex<N>& simplex, Sign s, SignStages& stages);
 
-/// No zero of the discriminant: all Bernstein coefficients of D (84 on a tet) have one sign. Slower than
-/// the page's own test, and decides where the page is thin.
+/// The common sign of all Bernstein coefficients of the discriminant (84 on a tet), zero if not proven: then
+/// D has no zero, so neither degenerate page nor the spine meets the simplex. Slower than the page's
+/// own test, and decides where the page is thin.
 template <int N>
-bool excludes_discriminant(const Simplex<N>& simplex, SignStages& stages);
+Sign uniform_sign_of_discriminant(const Simplex<N>& simplex, SignStages& stages);
 
 /// No point with p = q = 0: all control points (p_ijk, q_ijk) lie in an open half plane.
 template <int N>

@@ -35,9 +35,9 @@ struct Classification {
 };
 
 /// The domain or feature that the tensor lies on.
-/// Guarantee: exact, for the tensor itself, without perturbation: on a page or on the spine if and only
-/// if it is so in exact arithmetic. Laws: A -> A^T and positive multiples keep it; A -> -A maps sector
-/// k to 5 - k and page k to (6 - k) mod 6. \pre as for `invariants`.
+/// Guarantee: exact, for the tensor itself, without perturbation: on a page or on the spine if and
+/// only if it is so in exact arithmetic. Laws: A -> A^T and positive multiples keep it; A -> -A
+/// maps sector k to 5 - k and page k to (6 - k) mod 6. \pre as for `invariants`.
 Classification classify(const Tensor<double>& t);
 Classification classify(const Invariants& i);
 

@@ -20,14 +20,14 @@ struct Eigenvalues {
   double im = 0;  ///< may underflow to 0 if |im| is below 2^-1074
 };
 
-/// The eigenvalues of T from p, q and D of its deviator, by the trigonometric and hyperbolic formulas.
-/// Guarantee: `all_real` and the equalities are proven. Error of each value: about 2^-44 of the
-/// largest modulus of an eigenvalue of the deviator, plus a few roundings of tr(T)/3, however
-/// ill-conditioned the eigenvalues are (p, q and D are accurate to 2^-45 each); `Eigenvalues` of the
-/// deviator alone by `deviator_eigenvalues`. \pre as for `invariants`.
-/// Source: paper, Eq. 2 and 3, with two corrections. Eq. 2 as printed labels the minor eigenvalue
-/// lambda_2 and the medium one lambda_3: diag(1,0,-1) gives (1,-1,0). Eq. 3 has the wrong sign for
-/// p < 0 and p > 0: the real eigenvalue has the sign of q, as l^3 + p l = q requires.
+/// The eigenvalues of T from p, q and D of its deviator, by the trigonometric and hyperbolic
+/// formulas. Guarantee: `all_real` and the equalities are proven. Error of each value: about 2^-44
+/// of the largest modulus of an eigenvalue of the deviator, plus a few roundings of tr(T)/3,
+/// however ill-conditioned the eigenvalues are (p, q and D are accurate to 2^-45 each);
+/// `Eigenvalues` of the deviator alone by `deviator_eigenvalues`. \pre as for `invariants`. Source:
+/// paper, Eq. 2 and 3, with two corrections. Eq. 2 as printed labels the minor eigenvalue lambda_2
+/// and the medium one lambda_3: diag(1,0,-1) gives (1,-1,0). Eq. 3 has the wrong sign for p < 0 and
+/// p > 0: the real eigenvalue has the sign of q, as l^3 + p l = q requires.
 Eigenvalues eigenvalues(const Tensor<double>& t);
 Eigenvalues deviator_eigenvalues(const Tensor<double>& t);
 

@@ -7,8 +7,8 @@
 
 namespace triplex {
 
-/// A real number of any size: mantissa * 2^exponent, 1/2 <= |mantissa| < 1, or zero. Squares, cubes and
-/// sixth powers of tensor entries near 1e300 or among the denormals do not fit into a double.
+/// A real number of any size: mantissa * 2^exponent, 1/2 <= |mantissa| < 1, or zero. Squares, cubes
+/// and sixth powers of tensor entries near 1e300 or among the denormals do not fit into a double.
 struct ScaledReal {
   double mantissa = 0;
   int exponent = 0;
@@ -31,18 +31,20 @@ struct Invariants {
 };
 
 /// p, q and D of the deviator. Shape: any finite tensor, from denormal to |t| <= 2^1020.
-/// Guarantee: the three signs are proven; each value has relative error at most `relative_error`, so
-/// cancellation never spoils it (exact arithmetic steps in). \pre 2^-45 <= relative_error <= 1.
+/// Guarantee: the three signs are proven; each value has relative error at most `relative_error`,
+/// so cancellation never spoils it (exact arithmetic steps in). \pre 2^-45 <= relative_error <= 1.
 /// Source: proofs/invariants.md.
 Invariants invariants(const Tensor<double>& t, double relative_error = 0x1p-30);
 
-/// tr(T) in tensor units. Error: three roundings, relative to the diagonal; exact zero not certified.
+/// tr(T) in tensor units. Error: three roundings, relative to the diagonal; exact zero not
+/// certified.
 double trace_approx(const Tensor<double>& t);
 /// The sign of tr(T), proven.
 Sign trace_sign(const Tensor<double>& t);
 /// A = T - tr(T)/3 I in doubles, each entry within a few roundings of the largest difference.
 Tensor<double> deviator_approx(const Tensor<double>& t);
-/// minor(A), det(A) and D of the deviator as doubles; relative error 2^-30, or IEEE over-/underflow.
+/// minor(A), det(A) and D of the deviator as doubles; relative error 2^-30, or IEEE
+/// over-/underflow.
 double minor_approx(const Tensor<double>& t);
 double det_approx(const Tensor<double>& t);
 double discriminant_approx(const Tensor<double>& t);

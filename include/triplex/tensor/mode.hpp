@@ -18,9 +18,9 @@ struct Mode {
   Sign sign_q;
 };
 
-/// The mode of T. Guarantee: the signs are proven, and for p < 0 so is the side of 1 on which mu lies
-/// (mu < 1: real domain, mu > 1: complex domain); mu has a relative error of about 2^-29.
-/// \pre as for `invariants`. Source: paper, section Tensor Mode.
+/// The mode of T. Guarantee: the signs are proven, and for p < 0 so is the side of 1 on which mu
+/// lies (mu < 1: real domain, mu > 1: complex domain); mu has a relative error of about 2^-29. \pre
+/// as for `invariants`. Source: paper, section Tensor Mode.
 Mode mode(const Tensor<double>& t);
 Mode mode(const Invariants& i);
 

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triplex/refine/refine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "triplex/field/generators.hpp"
+
+namespace triplex {
+namespace {
+
+TensorField rolls() {
+  GridOptions grid;
+  grid.n = 6;
+  grid.jitter = 0.2;
+  return generate_rayleigh_benard(grid);
+}
+RefinedComplex refined(const TensorField& field, std::uint32_t budget = 12) {
+  RefineOptions options;
+  options.max_bisections = budget;
+  return refine(field, options);
+}
+
+double six_volumes(const RefinedComplex& c, const Leaf& leaf) {
+  std::array<Point, 4> x;
+  for (int i = 0; i < 4; ++i) x[i] = c.field.position(leaf.vertices[i]);
+  std::array<Point, 3> e;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) e[i][k] = x[i + 1][k] - x[0][k];
+  const double v = e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+                   e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+                   e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+  return leaf.flipped ? -v : v;
+}
+
+TEST(Refine, MeshIsConformingAndOriented) {
+  const TensorField field = rolls();
+  const RefinedComplex c = refined(field);
+  ASSERT_GT(c.leaves.size(), 2 * field.mesh.tets.size());
+  std::map<std::array<VertexId, 3>, int> faces;
+  double volume = 0;
+  for (const Leaf& leaf : c.leaves) {
+    EXPECT_TRUE(std::is_sorted(leaf.vertices.begin(), leaf.vertices.end()));
+    EXPECT_GT(six_volumes(c, leaf), 0);
+    volume += six_volumes(c, leaf) / 6;
+    for (int omit = 0; omit < 4; ++omit) {
+      std::array<VertexId, 3> face;
+      for (int i = 0, k = 0; i < 4; ++i)
+        if (i != omit) face[k++] = leaf.vertices[i];
+      ++faces[face];
+    }
+  }
+  EXPECT_NEAR(volume, 2, 1e-9);  // the box [0,2] x [0,1] x [0,1]
+  for (const auto& [face, count] : faces) {
+    ASSERT_LE(count, 2);
+    if (count == 2) continue;
+    // A face with one tet lies in a side of the box; a hanging node would leave one inside.
+    bool on_side = false;
+    for (int k = 0; k < 3; ++k) {
+      std::array<double, 3> at;
+      for (int i = 0; i < 3; ++i) at[i] = c.field.position(face[i])[k];
+      const double hi = k == 0 ? 2 : 1;
+      on_side |= (at[0] == 0 && at[1] == 0 && at[2] == 0) ||
+                 (at[0] == hi && at[1] == hi && at[2] == hi);
+    }
+    EXPECT_TRUE(on_side);
+  }
+}
+
+TEST(Refine, MidpointsCarryTheExactMeanAndBoundedDoubles) {
+  const TensorField field = rolls();
+  RefinableField f(field);
+  const auto tet = f.input_tets().front();
+  VertexId a = tet[0], b = tet[1];
+  for (int depth = 0; depth < 40; ++depth) {
+    const auto m = f.add_midpoint(a, b);
+    ASSERT_TRUE(m);
+    const auto ta = f.exact(a), tb = f.exact(b), tm = f.exact(*m);
+    const ApproximateTensor& approximate = f.approximate(*m);
+    const Exact scale(std::ldexp(1.0, f.scale_exponent()));
+    for (int k = 0; k < 9; ++k) {
+      EXPECT_TRUE(sign(tm[k] + tm[k] - ta[k] - tb[k]) == Sign::Zero);
+      const Exact difference = tm[k] * scale - Exact(approximate.a[k]);
+      const Exact bound(approximate.bounds.error);
+      EXPECT_NE(sign(difference - bound), Sign::Positive);
+      EXPECT_NE(sign(difference + bound), Sign::Negative);
+    }
+    (depth % 3 == 0 ? a : b) = *m;
+    if (depth % 7 == 6) b = tet[2 + depth % 2];
+  }
+}
+
+TEST(Refine, DepthIsLimited) {
+  const TensorField field = rolls();
+  RefinableField f(field);
+  const auto tet = f.input_tets().front();
+  VertexId b = tet[1];
+  for (int depth = 0; depth < RefinableField::kMaxDepth; ++depth) {
+    const auto m = f.add_midpoint(tet[0], b);
+    ASSERT_TRUE(m);
+    b = *m;
+  }
+  EXPECT_FALSE(f.add_midpoint(tet[0], b));
+}
+
+TEST(Refine, BudgetBoundsTheBisections) {
+  const TensorField field = rolls();
+  const RefinedComplex none = refined(field, 0);
+  EXPECT_EQ(none.leaves.size(), field.mesh.tets.size());
+  EXPECT_EQ(none.bisections, 0u);
+  std::uint64_t last = 0;
+  for (const std::uint32_t budget : {1u, 4u, 16u}) {
+    const RefinedComplex c = refined(field, budget);
+    EXPECT_GT(c.bisections, last);
+    last = c.bisections;
+  }
+}
+
+TEST(Refine, OpenLeavesSayWhy) {
+  const TensorField field = rolls();
+  for (const Leaf& leaf : refined(field, 2).leaves) {
+    EXPECT_EQ(leaf.open != 0, leaf.obstacle != Obstacle::None);
+    EXPECT_EQ(leaf.open & leaf.graph, 0);
+    EXPECT_FALSE(describe(leaf.obstacle).empty());
+  }
+}
+
+TEST(Refine, SizeLimitEndsTheRun) {
+  const TensorField field = rolls();
+  RefineOptions options;
+  options.max_bisections = 1000;
+  options.max_tets = 4 * field.mesh.tets.size();
+  const RefinedComplex c = refine(field, options);
+  EXPECT_TRUE(c.hit_size_limit);
+  EXPECT_LT(c.leaves.size(), 40 * field.mesh.tets.size());
+}
+
+}  // namespace
+}  // namespace triplex
