@@ -66,7 +66,7 @@ ExitCode run(int argc, char** argv) {
   if (const auto fault = check_fp_environment()) {
     return complain(ExitCode::Fault, "floating-point self-test failed: " + *fault);
   }
-  CLI::App program;
+  CLI::App program("", "triplex");
   Action action;
   describe(program);
   add_generate(program, action);

@@ -19,6 +19,13 @@ constexpr int kEdges = 6, kFacesOfCell = 4;
 constexpr int kNodes = kEdges + kFacesOfCell;  // per page: a crossing per edge, a spine point per face
 constexpr int spine_node(int face) { return kEdges + face; }
 
+/// Sorts the first `count` of the three edges of a face.
+void sort_edges(std::array<int, 3>& edges, int count) {
+  if (count > 1 && edges[1] < edges[0]) std::swap(edges[0], edges[1]);
+  if (count > 2 && edges[2] < edges[1]) std::swap(edges[1], edges[2]);
+  if (count > 2 && edges[1] < edges[0]) std::swap(edges[0], edges[1]);
+}
+
 class CellTracer {
  public:
   CellTracer(const Leaf& leaf, const std::vector<Sector>& labels, const EdgeCrossings& crossings,
@@ -84,8 +91,8 @@ class CellTracer {
       (rotation(a, b) > 0 ? entering[entries++] : leaving[exits++]) = e;
     }
     // Edge numbers ascend with the vertices, so both tets at a face pair the same crossings.
-    std::sort(entering.begin(), entering.begin() + entries);
-    std::sort(leaving.begin(), leaving.begin() + exits);
+    sort_edges(entering, entries);
+    sort_edges(leaving, exits);
     const int paired = std::min(entries, exits);
     for (int n = 0; n < paired; ++n) next[leaving[n]] = entering[n];
     if (entries > paired) next[spine_node(face)] = entering[paired];

@@ -3,14 +3,14 @@
 #include "triplex/extract/extraction.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <bit>
 #include <chrono>
-#include <optional>
 
 #include "feature_mesh.hpp"
+#include "triplex/arithmetic/fp_environment.hpp"
 #include "triplex/refine/refine.hpp"
 
 namespace triplex {
@@ -142,46 +142,54 @@ RefineOptions refine_options(const TensorField& field, const ExtractionOptions& 
   return r;
 }
 
-}  // namespace
-
-Extraction extract(const TensorField& field, const ExtractionOptions& options) {
-  std::optional<tbb::global_control> threads;
-  if (options.threads > 0)
-    threads.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
+/// The steps of the main job.
+Extraction run(const TensorField& field, const ExtractionOptions& options) {
   const auto report = [&](std::string_view step) {
     if (options.interrupted && options.interrupted->load()) throw Interrupted{};
     if (options.progress) options.progress(step, 0);
   };
-
   Extraction result;
   Stopwatch watch;
-  try {
-    RefinedComplex complex = refine(field, refine_options(field, options));
-    result.timing.refine_s = watch.lap();
+  RefinedComplex complex = refine(field, refine_options(field, options));
+  result.timing.refine_s = watch.lap();
 
-    // Vertices, edges, faces, cells.
-    report("extract");
-    const std::vector<Sector> labels = labels_of(complex);
-    const std::vector<std::uint32_t> active = active_leaves(complex, labels);
-    SignStages stages = complex.sign_stages;
-    const EdgeCrossings crossings(complex, labels, active, options.features, stages);
-    open_around(crossings, active, options.features, complex);
-    const FaceSpinePoints spine_points(complex, active, crossings);
-    report("mesh");
-    result.features = FeatureMeshBuilder(field, complex, labels, crossings, spine_points)
-                          .build(active, options.features);
+  // Vertices, edges, faces, cells.
+  report("extract");
+  const std::vector<Sector> labels = labels_of(complex);
+  const std::vector<std::uint32_t> active = active_leaves(complex, labels);
+  SignStages stages = complex.sign_stages;
+  const EdgeCrossings crossings(complex, labels, active, options.features, stages);
+  open_around(crossings, active, options.features, complex);
+  const FaceSpinePoints spine_points(complex, active, crossings);
+  report("mesh");
+  result.features = FeatureMeshBuilder(field, complex, labels, crossings, spine_points)
+                        .build(active, options.features);
 
-    result.sign_stages = stages;
-    result.certificates = count_certificates(complex, options.features);
-    result.refinement = {complex.rounds, complex.bisections, complex.leaves.size()};
-    result.unresolved = unresolved_tets(field, complex, options);
-    for (const Crossing& c : crossings.crossings())
-      if (c.error < 1) result.largest_crossing_error = std::max(result.largest_crossing_error, c.error);
-    result.timing.extract_s = watch.lap();
-  } catch (const RefinementInterrupted&) {
-    throw Interrupted{};
-  }
+  result.sign_stages = stages;
+  result.certificates = count_certificates(complex, options.features);
+  result.refinement = {complex.rounds, complex.bisections, complex.leaves.size()};
+  result.unresolved = unresolved_tets(field, complex, options);
+  for (const Crossing& c : crossings.crossings())
+    if (c.error < 1) result.largest_crossing_error = std::max(result.largest_crossing_error, c.error);
+  result.timing.extract_s = watch.lap();
   return result;
+}
+
+}  // namespace
+
+Extraction extract(const TensorField& field, const ExtractionOptions& options) {
+  // The filters need round-to-nearest and denormals in every thread, whatever the host program has set: an
+  // arena hands the floating-point settings of its creation to its workers.
+  return with_fp_environment([&] {
+    tbb::task_arena arena(options.threads > 0 ? static_cast<int>(options.threads)
+                                              : tbb::task_arena::automatic);
+    arena.initialize();
+    try {
+      return arena.execute([&] { return run(field, options); });
+    } catch (const RefinementInterrupted&) {
+      throw Interrupted{};
+    }
+  });
 }
 
 }  // namespace triplex

@@ -31,15 +31,17 @@ int common_scale(const std::vector<Tensor<double>>& tensors) {
 /// What scaling down may lose: one rounding below the smallest normal double, tripled and summed.
 constexpr double kUnderflow = 0x1p-1070;
 
-/// With m = max |t| every sum of differences in `triple_deviator` is below 4 m and takes three
-/// roundings on terms below 2 m, 2 m and 4 m: error <= 8 u m.
+/// With A' the exact result and M its largest entry, t_xx - t_yy = (A'_xx - A'_yy) / 3 is below 2 M / 3, and
+/// so is t_xx - t_zz: rounding them and their sum costs at most u (2/3 + 2/3 + 1) M and second-order
+/// terms; off the diagonal u M. So the error is below gamma(3) M, whatever the trace is, and below
+/// gamma(4) times the largest computed entry.
 ApproximateTensor approximate_input(const Tensor<double>& tensor, int exponent) {
   Tensor<double> scaled;
   for (int i = 0; i < 9; ++i) scaled[i] = std::ldexp(tensor[i], exponent);
   ApproximateTensor r;
   r.a = triple_deviator(scaled);
   r.bounds.magnitude = largest_entry(r.a);
-  r.bounds.error = gamma(8) * largest_entry(scaled) + kUnderflow;
+  r.bounds.error = gamma(4) * r.bounds.magnitude + kUnderflow;
   return r;
 }
 

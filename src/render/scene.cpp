@@ -5,15 +5,20 @@
 #include <vtkActor.h>
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
+#include <vtkCellData.h>
 #include <vtkLegendBoxActor.h>
+#include <vtkLightKit.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkOutlineSource.h>
 #include <vtkPlaneSource.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace triplex {
@@ -34,7 +39,7 @@ void add_feature(vtkRenderer* renderer, const DrawnFeature& drawn, int height) {
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
     mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-4, -4);  // in front of the surfaces
   } else {
-    look->SetAmbient(0.25);
+    look->SetAmbient(0.35);
     look->SetDiffuse(0.75);
     look->SetSpecular(0.15);
     look->SetSpecularPower(20);
@@ -56,31 +61,55 @@ void add_outline(vtkRenderer* renderer, const vtkBoundingBox& box) {
   renderer->AddActor(actor);
 }
 
+vtkSmartPointer<vtkPolyData> make_swatch(const std::array<double, 3>& color) {
+  vtkNew<vtkPlaneSource> square;
+  square->Update();
+  vtkNew<vtkUnsignedCharArray> rgb;
+  rgb->SetNumberOfComponents(3);
+  rgb->InsertNextTuple3(255 * color[0], 255 * color[1], 255 * color[2]);
+  vtkSmartPointer<vtkPolyData> swatch = square->GetOutput();
+  swatch->GetCellData()->SetScalars(rgb);
+  return swatch;
+}
+
 void add_legend(vtkRenderer* renderer, const std::vector<DrawnFeature>& features) {
   if (features.empty()) return;
-  vtkNew<vtkPlaneSource> swatch;
-  swatch->Update();
   vtkNew<vtkLegendBoxActor> legend;
+  legend->ScalarVisibilityOn();  // swatches bring their own colour; the text stays black
   legend->SetNumberOfEntries(static_cast<int>(features.size()));
+  double black[3] = {0, 0, 0};
   for (std::size_t k = 0; k < features.size(); ++k) {
-    std::array<double, 3> color = features[k].row->color;
     const std::string title(features[k].row->title);
-    legend->SetEntry(static_cast<int>(k), swatch->GetOutput(), title.c_str(), color.data());
+    legend->SetEntry(static_cast<int>(k), make_swatch(features[k].row->color), title.c_str(),
+                     black);
   }
   legend->GetEntryTextProperty()->SetColor(0, 0, 0);
   legend->BorderOff();
   legend->LockBorderOn();
   legend->SetPosition(0.015, 0.015);
-  legend->SetPosition2(0.30, 0.032 * static_cast<double>(features.size()));
+  legend->SetPosition2(0.24, 0.026 * static_cast<double>(features.size()));
   renderer->AddActor(legend);
 }
 
-void place_camera(vtkRenderer* renderer, const vtkBoundingBox& box, CameraPreset preset) {
+// How far the box reaches towards the border of the picture, 1 at the border.
+double extent_in_view(vtkCamera* camera, const vtkBoundingBox& box, double aspect) {
+  vtkMatrix4x4* const projection = camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1);
+  double extent = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    double point[4] = {0, 0, 0, 1};
+    box.GetCorner(corner, point);
+    projection->MultiplyPoint(point, point);
+    extent = std::max({extent, std::abs(point[0] / point[3]), std::abs(point[1] / point[3])});
+  }
+  return extent;
+}
+
+void place_camera(vtkRenderer* renderer, const vtkBoundingBox& box, const RenderOptions& options) {
   double center[3];
   box.GetCenter(center);
   std::array<double, 3> from{};
   std::array<double, 3> up = {0, 0, 1};
-  switch (preset) {
+  switch (options.camera) {
     case CameraPreset::Diagonal:
       from = {0.62, -1, 0.55};
       break;
@@ -102,7 +131,9 @@ void place_camera(vtkRenderer* renderer, const vtkBoundingBox& box, CameraPreset
   double bounds[6];
   box.GetBounds(bounds);
   renderer->ResetCamera(bounds);
-  camera->Zoom(1.25);
+  const double aspect = static_cast<double>(options.width) / options.height;
+  const double extent = extent_in_view(camera, box, aspect);
+  if (extent > 0) camera->Zoom(0.94 / extent);
   renderer->ResetCameraClippingRange(bounds);
 }
 
@@ -125,7 +156,13 @@ vtkSmartPointer<vtkRenderer> make_scene(const std::vector<DrawnFeature>& feature
   if (!box.IsValid()) box.SetBounds(0, 1, 0, 1, 0, 1);
   add_outline(renderer, box);
   add_legend(renderer, features);
-  place_camera(renderer, box, options.camera);
+  place_camera(renderer, box, options);
+  vtkNew<vtkLightKit> lights;
+  lights->SetKeyLightIntensity(0.9);
+  lights->SetKeyToFillRatio(1.6);
+  lights->SetKeyToBackRatio(1.6);
+  lights->SetKeyToHeadRatio(1.8);
+  lights->AddLightsToRenderer(renderer);
   return renderer;
 }
 

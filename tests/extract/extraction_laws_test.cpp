@@ -4,6 +4,9 @@
 // What must not change, and what must change how, when the input is told in another way.
 #include <gtest/gtest.h>
 
+#include <immintrin.h>
+
+#include <cfenv>
 #include <cmath>
 #include <cstring>
 
@@ -128,6 +131,24 @@ TEST(ExtractionLaws, OneFeatureAloneIsTheSameSurfaceAsAmongAll) {
     // Fewer certificates need less refinement.
     EXPECT_LE(alone.refinement.tets, all.refinement.tets);
   }
+}
+
+/// A host program may have changed rounding or flush denormals, in its own thread and TBB's.
+TEST(ExtractionLaws, TheHostsFloatingPointSettingsDoNotMatter) {
+  const TensorField field = sample_field();
+  const Extraction a = extract(field, quick(2));
+  std::fesetround(FE_UPWARD);
+  const unsigned control = _mm_getcsr();
+  _mm_setcsr(control | 0x8040);  // flush to zero, denormals are zero
+  const Extraction b = extract(field, quick(2));
+  EXPECT_EQ(_mm_getcsr() & 0xffc0u, (control | 0x8040u) & 0xffc0u);  // as the host left it
+  _mm_setcsr(control);
+  std::fesetround(FE_TONEAREST);
+  for (int f = 0; f < kFeatures; ++f) {
+    EXPECT_TRUE(same_bytes(a.features[f].points, b.features[f].points));
+    EXPECT_TRUE(same_bytes(a.features[f].triangles, b.features[f].triangles));
+  }
+  EXPECT_EQ(a.sign_stages, b.sign_stages);
 }
 
 TEST(ExtractionLaws, InterruptionStops) {

@@ -38,6 +38,7 @@ struct EntryBounds {
 ///      plus 9 ((M+e)^2 - M^2) <= 9 (2 + 2^-10) M e for the entries.
 ///   Q: 9 x 4 triple products, each with at most 3 + 1 + 8 = 12 roundings: |Q| <= 36 M^3,
 ///      error <= 36 gamma(12) M^3, plus 36 ((M+e)^3 - M^3) <= 36 (3 + 2^-8) M^2 e.
+/// The magnitudes bound the computed coefficients; a simplex replaces them by the largest it has.
 /// Source: proofs/filter.md.
 struct FormBounds {
   double p_magnitude = 0, p_error = 0;

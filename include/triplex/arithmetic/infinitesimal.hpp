@@ -56,8 +56,10 @@ class Series {
   std::array<Exact, K> c_;
 };
 
-/// Enough for every predicate of a page: the discriminant has degree six in the tensor.
-using Perturbed = Series<7>;
+/// Enough coefficients for every test on a simplex with N vertices to be kept whole: tests have degree
+/// six in the tensor (the discriminant), on an edge sixteen (q at the root of p).
+template <int N>
+using Perturbed = Series<N == 2 ? 17 : 7>;
 
 /// The direction B of the perturbation T + eps B. Translations by a constant tensor act transitively
 /// on tensors, so for almost every B the perturbed field is transverse to all strata on every

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 
 #include "triplex/arithmetic/exact.hpp"
@@ -66,7 +68,7 @@ class Simplex {
       entries_.include(v.bounds);
     }
     approximate_ = forms_of<double, N>(a);
-    bounds_ = FormBounds(entries_);
+    set_bounds();
   }
 
   /// A face or an edge of a simplex: its coefficients are a selection, its bounds its own.
@@ -77,7 +79,7 @@ class Simplex {
       vertices_[i] = parent.vertices()[local[i]];
       entries_.include(field_->approximate(vertices_[i]).bounds);
     }
-    bounds_ = FormBounds(entries_);
+    set_bounds();
   }
 
   const RefinableField& field() const { return *field_; }
@@ -116,6 +118,16 @@ class Simplex {
   }
 
  private:
+  /// Errors follow from the entries; magnitudes are those of the coefficients at hand.
+  void set_bounds() {
+    bounds_ = FormBounds(entries_);
+    bounds_.p_magnitude = bounds_.q_magnitude = 0;
+    for (const double p : approximate_.p)
+      bounds_.p_magnitude = std::max(bounds_.p_magnitude, std::fabs(p));
+    for (const double q : approximate_.q)
+      bounds_.q_magnitude = std::max(bounds_.q_magnitude, std::fabs(q));
+  }
+
   static Exact scale_by_power_of_two(Exact x, int exponent) {
     for (; exponent > 1000; exponent -= 1000) x = x * Exact(0x1p1000);
     for (; exponent < -1000; exponent += 1000) x = x * Exact(0x1p-1000);
@@ -156,16 +168,16 @@ class Simplex {
     }
     return *exact_;
   }
-  const Forms<Perturbed, N>& perturbed_forms() const {
+  const Forms<Perturbed<N>, N>& perturbed_forms() const {
     if (!perturbed_) {
       Tensor<Exact> direction;
       for (int k = 0; k < 9; ++k) direction[k] = Exact(kPerturbation[k]);
       direction = triple_deviator(direction);
       const auto exact = exact_tensors();
-      std::array<Tensor<Perturbed>, N> a;
+      std::array<Tensor<Perturbed<N>>, N> a;
       for (int i = 0; i < N; ++i)
-        for (int k = 0; k < 9; ++k) a[i][k] = Perturbed(exact[i][k], direction[k]);
-      perturbed_ = std::make_shared<const Forms<Perturbed, N>>(forms_of<Perturbed, N>(a));
+        for (int k = 0; k < 9; ++k) a[i][k] = Perturbed<N>(exact[i][k], direction[k]);
+      perturbed_ = std::make_shared<const Forms<Perturbed<N>, N>>(forms_of<Perturbed<N>, N>(a));
     }
     return *perturbed_;
   }
@@ -177,7 +189,7 @@ class Simplex {
   Forms<double, N> approximate_;
   mutable std::shared_ptr<const Forms<Interval, N>> interval_;
   mutable std::shared_ptr<const Forms<Exact, N>> exact_;
-  mutable std::shared_ptr<const Forms<Perturbed, N>> perturbed_;
+  mutable std::shared_ptr<const Forms<Perturbed<N>, N>> perturbed_;
 };
 
 }  // namespace triplex

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+
+#include "triplex/extract/extraction.hpp"
+#include "triplex/field/generators.hpp"
+
+int main() {
+  const triplex::TensorField field = triplex::generate_lorenz({.n = 12});
+  const triplex::Extraction result = triplex::extract(field);
+  for (const triplex::FeatureRow& row : triplex::feature_table()) {
+    const auto& mesh = result.features[static_cast<std::size_t>(row.feature)];
+    std::printf("%-18s %6zu triangles %4zu segments\n", row.name.data(), mesh.triangles.size(),
+                mesh.segments.size());
+  }
+  std::printf("%zu of %zu tets unresolved\n", result.unresolved.size(), field.mesh.tets.size());
+}

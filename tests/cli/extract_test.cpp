@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What `triplex extract` leaves in its directory.
+#include <gmock/gmock.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <nlohmann/json.hpp>
+
+#include "run_program.hpp"
+#include "triplex/feature/feature.hpp"
+
+namespace triplex::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::UnorderedElementsAre;
+
+std::vector<std::string> keys(const json& object) {
+  std::vector<std::string> names;
+  for (const auto& [key, value] : object.items()) names.push_back(key);
+  return names;
+}
+
+json report_in(const fs::path& directory) {
+  return json::parse(file_content(directory / "report.json"));
+}
+
+vtkSmartPointer<vtkPolyData> read_mesh(const fs::path& file) {
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), 0u) << file;
+  return reader->GetOutput();
+}
+
+fs::path mesh_file(const fs::path& directory, const FeatureRow& row) {
+  return directory / (std::string(row.name) + ".vtp");
+}
+
+/// Extracts and returns the report; the code must be 0 if it is certified, else 2.
+json extract(const std::string& field, const fs::path& out,
+             const std::vector<std::string>& more = {}) {
+  std::vector<std::string> words = {"extract", field, "-o", out.string()};
+  words.insert(words.end(), more.begin(), more.end());
+  const Outcome outcome = run(words);
+  EXPECT_EQ(outcome.err, "");
+  const json report = report_in(out);
+  EXPECT_EQ(outcome.code, report["certified"].get<bool>() ? 0 : 2);
+  return report;
+}
+
+TEST(Report, HasTheDocumentedKeys) {
+  const TemporaryDirectory directory;
+  const std::string field = make_field(directory, "noise", 4);
+  const json report = extract(field, directory / "out", {"--max-bisections", "2"});
+  EXPECT_THAT(keys(report),
+              UnorderedElementsAre("certified", "version", "field", "options", "certificates",
+                                   "refinement", "sign_stages", "features", "unresolved",
+                                   "timing_s", "peak_memory_bytes"));
+  EXPECT_THAT(keys(report["field"]),
+              UnorderedElementsAre("file", "tets", "vertices", "array", "bounds"));
+  EXPECT_THAT(keys(report["certificates"]),
+              UnorderedElementsAre("exclusion", "graph", "spine", "unresolved"));
+  EXPECT_THAT(keys(report["refinement"]), UnorderedElementsAre("rounds", "bisections", "tets"));
+  EXPECT_THAT(keys(report["sign_stages"]), UnorderedElementsAre("filter", "interval", "exact"));
+  EXPECT_THAT(keys(report["timing_s"]),
+              UnorderedElementsAre("read", "classify", "refine", "extract", "topology", "write",
+                                   "total"));
+  for (const FeatureRow& row : feature_table()) {
+    const json& feature = report["features"][std::string(row.name)];
+    if (row.feature == Feature::TripleCurve) {
+      EXPECT_THAT(keys(feature), UnorderedElementsAre("vertices", "segments", "components",
+                                                      "closed", "length"));
+    } else {
+      EXPECT_THAT(keys(feature),
+                  UnorderedElementsAre("vertices", "triangles", "components", "euler",
+                                       "boundary_loops", "area", "unresolved"));
+    }
+  }
+  ASSERT_FALSE(report["unresolved"].empty());  // noise, two bisections: some cell stays open
+  EXPECT_FALSE(report["certified"].get<bool>());
+  for (const json& cell : report["unresolved"]) {
+    EXPECT_THAT(keys(cell), UnorderedElementsAre("tet", "features", "reason"));
+    EXPECT_FALSE(cell["features"].empty());
+    EXPECT_FALSE(cell["reason"].get<std::string>().empty());
+  }
+}
+
+TEST(Report, SaysWhatWasRead) {
+  const TemporaryDirectory directory;
+  const std::string field = make_field(directory, "lorenz", 5);
+  const json report = extract(field, directory / "out", {"--threads", "1"});
+  EXPECT_EQ(report["version"], TRIPLEX_VERSION);
+  EXPECT_EQ(report["field"]["file"], field);
+  EXPECT_EQ(report["field"]["tets"], 6 * 5 * 5 * 5);
+  EXPECT_EQ(report["field"]["vertices"], 6 * 6 * 6);
+  EXPECT_EQ(report["field"]["array"], "tensor");
+  EXPECT_EQ(report["field"]["bounds"], json::parse("[[-30, 30], [-30, 30], [0, 60]]"));
+  EXPECT_EQ(report["options"]["threads"], 1);
+  EXPECT_GE(report["refinement"]["tets"], report["field"]["tets"]);
+  EXPECT_GT(report["sign_stages"]["filter"], 0);
+  EXPECT_GT(report["peak_memory_bytes"], 1'000'000);
+}
+
+TEST(Meshes, HaveTheArraysAndTheCountsOfTheReport) {
+  const TemporaryDirectory directory;
+  const json report = extract(make_field(directory, "lorenz", 8), directory / "out");
+  for (const FeatureRow& row : feature_table()) {
+    const auto mesh = read_mesh(mesh_file(directory / "out", row));
+    const json& numbers = report["features"][std::string(row.name)];
+    const bool curve = row.feature == Feature::TripleCurve;
+    EXPECT_EQ(mesh->GetNumberOfPoints(), numbers["vertices"]) << row.name;
+    EXPECT_EQ(mesh->GetNumberOfCells(), numbers[curve ? "segments" : "triangles"]) << row.name;
+    EXPECT_EQ(curve ? mesh->GetNumberOfLines() : mesh->GetNumberOfPolys(),
+              mesh->GetNumberOfCells());
+    for (const char* name : {"mode", "p", "q"}) {
+      EXPECT_TRUE(mesh->GetPointData()->HasArray(name)) << row.name << ' ' << name;
+    }
+    for (const char* name : {"SourceCellId", "Feature", "Certified"}) {
+      ASSERT_TRUE(mesh->GetCellData()->HasArray(name)) << row.name << ' ' << name;
+    }
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell) {
+      EXPECT_EQ(mesh->GetCellData()->GetArray("Feature")->GetTuple1(cell),
+                static_cast<double>(row.feature));
+      const double source = mesh->GetCellData()->GetArray("SourceCellId")->GetTuple1(cell);
+      EXPECT_TRUE(source >= 0 && source < report["field"]["tets"].get<double>());
+    }
+  }
+  EXPECT_GT(report["features"]["triple-curve"]["segments"], 0);
+}
+
+TEST(Meshes, OfEmptyFeaturesAreWrittenToo) {
+  const TemporaryDirectory directory;
+  const fs::path out = directory / "out";
+  // Far from the spine and from all surfaces but a few.
+  const std::string field = (directory / "field.vtu").string();
+  ASSERT_EQ(run({"generate", "lorenz", "-n", "2", "--box", "100", "101", "0", "1", "100", "101",
+                 "-o", field})
+                .code,
+            0);
+  const json report = extract(field, out);
+  EXPECT_EQ(report["features"]["triple-curve"]["segments"], 0);
+  for (const FeatureRow& row : feature_table()) {
+    const auto mesh = read_mesh(mesh_file(out, row));
+    EXPECT_TRUE(mesh->GetPointData()->HasArray("mode")) << row.name;
+    EXPECT_TRUE(mesh->GetCellData()->HasArray("Certified")) << row.name;
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), kFeatures + 1);
+}
+
+TEST(Meshes, DoNotDependOnTheNumberOfThreads) {
+  const TemporaryDirectory directory;
+  const std::string field = make_field(directory, "abc", 10);
+  extract(field, directory / "one", {"--threads", "1"});
+  extract(field, directory / "two", {"--threads", "2"});
+  for (const FeatureRow& row : feature_table()) {
+    EXPECT_TRUE(file_content(mesh_file(directory / "one", row)) ==
+                file_content(mesh_file(directory / "two", row)))
+        << row.name;
+  }
+}
+
+TEST(Features, OnlyThoseAskedForAreReported) {
+  const TemporaryDirectory directory;
+  const fs::path out = directory / "out";
+  const std::string field = make_field(directory, "lorenz", 5);
+  const json report = extract(field, out, {"--features", "balanced-linear,neutral-real"});
+  EXPECT_THAT(keys(report["features"]), UnorderedElementsAre("balanced-linear", "neutral-real"));
+  EXPECT_THAT(report["options"]["features"], ElementsAre("neutral-real", "balanced-linear"));
+  for (const FeatureRow& row : feature_table()) {
+    const bool asked = report["features"].contains(std::string(row.name));
+    EXPECT_EQ(read_mesh(mesh_file(out, row))->GetNumberOfCells() > 0, asked) << row.name;
+  }
+}
+
+TEST(Directory, MayHoldAnOldResultAndMayBeNested) {
+  const TemporaryDirectory directory;
+  const std::string field = make_field(directory, "lorenz", 4);
+  const fs::path out = directory / "a" / "b";
+  extract(field, out);
+  write_content(out / "notes.txt", "mine");
+  write_content(out / "triple-curve.vtp", "old");
+  extract(field, out);
+  EXPECT_EQ(file_content(out / "notes.txt"), "mine");
+  EXPECT_NE(file_content(out / "triple-curve.vtp"), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), kFeatures + 2);
+}
+
+TEST(RealData, ConvectionIsExtracted) {
+  const TemporaryDirectory directory;
+  const json report = extract(TRIPLEX_DATA_DIR "/rayleigh_benard.vtu", directory / "out");
+  EXPECT_EQ(report["field"]["tets"], 15972);
+  EXPECT_GT(report["features"]["degenerate-linear"]["triangles"], 0);
+}
+
+}  // namespace
+}  // namespace triplex::test
