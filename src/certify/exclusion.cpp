@@ -110,7 +110,7 @@ double best_tangent(const Forms<double, N>& f, Sign s) {
   for (int n = 0; n < kTriples<N>; ++n) {
     q[n] = s == Sign::Positive ? f.q[n] : -f.q[n];
     r[n] = tripled_p(f, triples<N>()[n]);
-    lowest = std::fmin(lowest, r[n]);
+    lowest = std::min(lowest, r[n]);
   }
   double low = 0, high = std::sqrt(-lowest / 18), v = 0;
   const auto worst = [&](double at, double& slope) {
@@ -213,8 +213,8 @@ bool excludes_spine(const Simplex<N>& simplex, SignStages& stages) {
   const auto& f = simplex.approximate();
   double size_r = 0, size_q = 0;
   for (int n = 0; n < kTriples<N>; ++n) {
-    size_r = std::fmax(size_r, std::fabs(tripled_p(f, triples<N>()[n])));
-    size_q = std::fmax(size_q, std::fabs(f.q[n]));
+    size_r = std::max(size_r, std::fabs(tripled_p(f, triples<N>()[n])));
+    size_q = std::max(size_q, std::fabs(f.q[n]));
   }
   const double weight_r = size_r > 0 ? std::exp2(-std::ilogb(size_r)) : 1;
   const double weight_q = size_q > 0 ? std::exp2(-std::ilogb(size_q)) : 1;

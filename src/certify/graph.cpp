@@ -86,7 +86,7 @@ struct BoundsV {
   template <class NT, int N>
   Verdict operator()(const Forms<NT, N>& f, const FormBounds& bounds) const {
     const double error =
-        bounds.p_error + gamma(4) * (bounds.p_magnitude + 6 * std::fmax(low * low, high * high));
+        bounds.p_error + gamma(4) * (bounds.p_magnitude + 6 * std::max(low * low, high * high));
     const NT low_square = NT(6) * NT(low) * NT(low);
     const NT high_square = NT(6) * NT(high) * NT(high);
     AllPositive all;
@@ -105,8 +105,8 @@ BoundsV range_of_v(const Simplex<N>& simplex) {
   const auto [least, most] = std::ranges::minmax(simplex.approximate().p);
   const double margin = 4 * simplex.bounds().p_error + gamma(16) * simplex.bounds().p_magnitude;
   BoundsV range{};
-  range.high = std::sqrt(std::fmax(0, -least + margin) / 6) * (1 + 0x1p-20);
-  range.low = std::sqrt(std::fmax(0, -most - margin) / 6) * (1 - 0x1p-20);
+  range.high = std::sqrt(std::max(0.0, -least + margin) / 6) * (1 + 0x1p-20);
+  range.low = std::sqrt(std::max(0.0, -most - margin) / 6) * (1 - 0x1p-20);
   range.high = few_bits(range.high);
   range.low = few_bits(range.low);
   return range;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triplex/certify/spine.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "triplex/certify/witness.hpp"
@@ -26,8 +27,8 @@ struct PositiveDefinite {
     // An entry of M is c_1 (4 values P) + c_2 (2 values Q): 2 + 1 + 1 roundings at most. With entries
     // below m and errors below e the determinant moves by at most 4 (2 m e + e^2) + 4 (2 m e + e^2)
     // and its own 5 roundings act on at most 4 m^2 + 4 m^2.
-    const double c1 = std::fmax(std::fabs(c[0]), std::fabs(c[2]));
-    const double c2 = std::fmax(std::fabs(c[1]), std::fabs(c[3]));
+    const double c1 = std::max(std::fabs(c[0]), std::fabs(c[2]));
+    const double c2 = std::max(std::fabs(c[1]), std::fabs(c[3]));
     constexpr double kSlack = 1 + 0x1p-20;
     const double m = (c1 * 4 * bounds.p_magnitude + c2 * 2 * bounds.q_magnitude) * kSlack;
     const double e = (c1 * 4 * bounds.p_error + c2 * 2 * bounds.q_error) * kSlack + gamma(5) * m;

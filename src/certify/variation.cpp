@@ -38,7 +38,7 @@ void add_variation(const std::array<double, Count>& bernstein, PerEdge<N>& sum) 
     for (int i = 0; i < N; ++i)
       for (int j = i + 1; j < N; ++j, ++e)
         variation[e] =
-            std::fmax(variation[e], std::fabs(bernstein[raised[i]] - bernstein[raised[j]]));
+            std::max(variation[e], std::fabs(bernstein[raised[i]] - bernstein[raised[j]]));
   }
   const double largest = *std::ranges::max_element(variation);
   if (!(largest > 0)) return;

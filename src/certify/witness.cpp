@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triplex/certify/witness.hpp"
 
-#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 namespace triplex {
 namespace {
@@ -13,65 +15,46 @@ using Vector = std::array<double, 3>;
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// The corners of the hull's face that currently carries the nearest point: at most four.
+Vector combine(const Vector& g, double s, const Vector& e) {
+  return {g[0] + s * e[0], g[1] + s * e[1], g[2] + s * e[2]};
+}
+Vector difference(const Vector& a, const Vector& b) { return combine(a, -1, b); }
+
+/// The corners of the hull's face that carries the nearest point found so far: at most three, and
+/// room for the next.
 struct Corral {
   std::array<Vector, 4> points;
-  std::array<double, 4> weights{};
   int size = 0;
 };
 
-/// Nearest point to the origin of the affine hull of the chosen corners, if its weights are positive.
-bool nearest_in_affine_hull(const Corral& corral, unsigned subset, std::array<double, 4>& weights) {
-  std::array<int, 4> chosen{};
-  int n = 0;
-  for (int i = 0; i < corral.size; ++i)
-    if (subset >> i & 1u) chosen[n++] = i;
-  // Minimise |sum w_i g_i|^2 with sum w_i = 1: Gram system bordered by ones.
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 5, 5> system(n + 1, n + 1);
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 5, 1> rhs(n + 1);
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j)
-      system(i, j) = dot(corral.points[chosen[i]], corral.points[chosen[j]]);
-    system(i, n) = system(n, i) = 1;
-    rhs(i) = 0;
-  }
-  system(n, n) = 0;
-  rhs(n) = 1;
-  const auto lu = system.fullPivLu();
-  if (!lu.isInvertible()) return false;
-  const auto solution = lu.solve(rhs).eval();
-  weights = {};
-  for (int i = 0; i < n; ++i) {
-    if (!(solution(i) >= 0)) return false;
-    weights[chosen[i]] = solution(i);
-  }
-  return true;
-}
-
-/// Shrinks the corral to the face nearest to the origin and returns the nearest point.
-Vector nearest_point(Corral& corral) {
-  double best = std::numeric_limits<double>::infinity();
-  std::array<double, 4> best_weights{};
-  Vector nearest{};
-  for (unsigned subset = 1; subset < 1u << corral.size; ++subset) {
-    std::array<double, 4> weights;
-    if (!nearest_in_affine_hull(corral, subset, weights)) continue;
-    Vector z{};
-    for (int i = 0; i < corral.size; ++i)
-      for (int k = 0; k < 3; ++k) z[k] += weights[i] * corral.points[i][k];
-    const double norm = dot(z, z);
-    if (norm < best) {
-      best = norm;
-      best_weights = weights;
-      nearest = z;
+/// Keeps the face of the corral nearest to the origin among those with the newest corner (the others
+/// were nearest before it came) and returns the nearest point. Faces whose nearest point is not
+/// inside are left to their own faces.
+Vector shrink_to_nearest(Corral& corral) {
+  const Vector g = corral.points[corral.size - 1];
+  Vector nearest = g;
+  std::array<int, 2> others = {-1, -1};
+  const auto consider = [&](const Vector& z, int i, int j) {
+    if (!(dot(z, z) < dot(nearest, nearest))) return;
+    nearest = z;
+    others = {i, j};
+  };
+  for (int i = 0; i < corral.size - 1; ++i) {
+    const Vector e = difference(corral.points[i], g);
+    const double ee = dot(e, e), t = -dot(g, e) / ee;
+    if (t > 0 && t < 1) consider(combine(g, t, e), i, -1);
+    for (int j = i + 1; j < corral.size - 1; ++j) {
+      const Vector f = difference(corral.points[j], g);
+      const double ff = dot(f, f), ef = dot(e, f), ge = -dot(g, e), gf = -dot(g, f);
+      const double determinant = ee * ff - ef * ef;
+      const double s = (ge * ff - gf * ef) / determinant, u = (gf * ee - ge * ef) / determinant;
+      if (s > 0 && u > 0 && s + u < 1) consider(combine(combine(g, s, e), u, f), i, j);
     }
   }
   Corral kept;
-  for (int i = 0; i < corral.size; ++i) {
-    if (best_weights[i] <= 0) continue;
-    kept.points[kept.size] = corral.points[i];
-    kept.weights[kept.size++] = best_weights[i];
-  }
+  for (const int i : others)
+    if (i >= 0) kept.points[kept.size++] = corral.points[i];
+  kept.points[kept.size++] = g;
   corral = kept;
   return nearest;
 }
@@ -83,7 +66,7 @@ Vector rounded(const Vector& v, double scale) {
 
 /// Direction with largest component one; a zero vector stays zero.
 Vector normalised(const Vector& v) {
-  const double m = std::fmax(std::fabs(v[0]), std::fmax(std::fabs(v[1]), std::fabs(v[2])));
+  const double m = std::max(std::fabs(v[0]), std::max(std::fabs(v[1]), std::fabs(v[2])));
   return m > 0 && std::isfinite(1 / m) ? rounded(v, 1 / m) : Vector{};
 }
 
@@ -95,7 +78,7 @@ Vector separating_direction(std::span<const Vector> vectors) {
   for (const Vector& g : vectors) {
     for (int k = 0; k < 3; ++k) {
       mean[k] += g[k];
-      scale = std::fmax(scale, std::fabs(g[k]));
+      scale = std::max(scale, std::fabs(g[k]));
     }
   }
   if (!(scale > 0) || !std::isfinite(1 / scale)) return {};
@@ -122,14 +105,16 @@ Vector separating_direction(std::span<const Vector> vectors) {
   constexpr double kImprovement = 1e-6;  // relative gain below which the hull is reached
   Corral corral;
   Vector z{};
+  double last = std::numeric_limits<double>::infinity();
   for (int step = 0; step < kSteps; ++step) {
-    if (corral.size == 4) break;  // four corners hold the origin
     Vector corner;
     for (int k = 0; k < 3; ++k) corner[k] = vectors[least][k] / scale;
     corral.points[corral.size++] = corner;
-    z = nearest_point(corral);
+    z = shrink_to_nearest(corral);
     const double norm = dot(z, z);
-    if (norm < 1e-24) return {};
+    // At the origin, or no nearer than before: the hull holds the origin, as far as doubles can tell.
+    if (norm < 1e-24 || norm >= last) return {};
+    last = norm;
     std::tie(least, value) = support(z);
     if (value / scale >= norm * (1 - kImprovement)) break;
   }
