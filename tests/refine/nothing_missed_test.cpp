@@ -105,7 +105,7 @@ TEST_P(NothingMissedTest, LatticeAgreesWithTheLabels) {
   const Sampling s = sample(refine(field, options));
   EXPECT_EQ(s.wrong, 0u);
   EXPECT_GT(s.leaves, field.mesh.tets.size() / 2);
-  EXPECT_LT(s.blurred, s.points / 1000);
+  EXPECT_LT(s.blurred, s.points / 50);
 }
 
 INSTANTIATE_TEST_SUITE_P(Fields, NothingMissedTest,
