@@ -33,7 +33,11 @@ if [[ $status -ne 0 && $status -ne 2 ]]; then
 fi
 echo
 echo "== triplex render"
-xvfb-run -a -s "-screen 0 1280x1024x24" "$triplex" render "$out" -o "$out/picture.png"
+# With an authority file of our own, xvfb-run has no directory to remove: now and then that fails.
+authority=$(mktemp)
+trap 'rm -f -- "$authority"' EXIT
+xvfb-run -a -f "$authority" -s "-screen 0 1280x1024x24" \
+  "$triplex" render "$out" -o "$out/picture.png"
 
 echo
 echo "The demo is done."

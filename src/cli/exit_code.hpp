@@ -6,11 +6,11 @@ namespace triplex::cli {
 
 /// What the program tells its caller; documented in docs/overview.md.
 enum class ExitCode {
-  Certified = 0,    ///< done, and everything asked for is certified
-  BadInput = 1,     ///< bad input or usage
-  Unresolved = 2,   ///< done, some cells are listed as unresolved
-  Fault = 3,        ///< an internal fault: please report it
-  Resources = 4,    ///< out of memory or disk
+  Certified = 0,   ///< done, and everything asked for is certified
+  BadInput = 1,    ///< bad input or usage
+  Unresolved = 2,  ///< done, some cells are listed as unresolved
+  Fault = 3,       ///< an internal fault: please report it
+  Resources = 4,   ///< out of memory or disk
   Interrupted = 130
 };
 

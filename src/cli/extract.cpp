@@ -96,20 +96,23 @@ void add_extract(CLI::App& program, Action& action) {
   auto names = std::make_shared<std::vector<std::string>>();
   request->max_bisections = ExtractionOptions{}.max_bisections;
   CLI::App* const command = program.add_subcommand(
-      "extract", "Extract the feature surfaces and the triple degenerate curve, with certificates.");
+      "extract",
+      "Extract the feature surfaces and the triple degenerate curve, with certificates.");
   command->add_option("FIELD", request->field, "Tensor field: .vtu, .pvtu or legacy .vtk")
       ->required();
   command->add_option("-o,--output", request->directory, "Directory for the results")
       ->required()
       ->type_name("DIR");
-  command->add_option("--tensor", request->tensor,
-                      "Name of the point array with 9 components; needed if there are several")
+  command
+      ->add_option("--tensor", request->tensor,
+                   "Name of the point array with 9 components; needed if there are several")
       ->type_name("NAME");
   command->add_option("--features", *names, "Only these, of " + all_feature_names())
       ->delimiter(',')
       ->type_name("A,B,...");
-  command->add_option("--max-bisections", request->max_bisections,
-                      "Bisections that one tet may ask for before it is listed as unresolved")
+  command
+      ->add_option("--max-bisections", request->max_bisections,
+                   "Bisections that one tet may ask for before it is listed as unresolved")
       ->check(CLI::Range(0u, 1'000'000u))
       ->type_name("N")
       ->capture_default_str();

@@ -14,16 +14,17 @@ FeatureSet parse_features(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const auto feature = feature_named(name);
     if (!feature) {
-      throw UsageError(
-          fmt::format("--features: no feature is called '{}'; there are {}", name,
-                      all_feature_names()));
+      throw UsageError(fmt::format("--features: no feature is called '{}'; there are {}", name,
+                                   all_feature_names()));
     }
     set = static_cast<FeatureSet>(set | bit(*feature));
   }
   return set;
 }
 
-std::string all_feature_names() { return fmt::format("{}", fmt::join(names_of(kAllFeatures), ",")); }
+std::string all_feature_names() {
+  return fmt::format("{}", fmt::join(names_of(kAllFeatures), ","));
+}
 
 std::vector<std::string_view> names_of(FeatureSet set) {
   std::vector<std::string_view> names;

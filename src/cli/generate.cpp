@@ -37,8 +37,8 @@ TensorField generate(GenerateRequest& request) {
   if (generator == nullptr) {
     std::vector<std::string_view> names;
     for (const GeneratorRow& row : generator_table()) names.push_back(row.name);
-    throw UsageError(fmt::format("no field is called '{}'; there are {}", request.name,
-                                 fmt::join(names, ", ")));
+    throw UsageError(
+        fmt::format("no field is called '{}'; there are {}", request.name, fmt::join(names, ", ")));
   }
   if (!request.box.empty()) {
     const auto& b = request.box;
@@ -69,8 +69,9 @@ void add_grid_options(CLI::App* command, GenerateRequest& request) {
   command->add_option("--box", request.box, "The domain, instead of the field's own")
       ->expected(6)
       ->type_name("X0 X1 Y0 Y1 Z0 Z1");
-  command->add_option("--jitter", request.grid.jitter,
-                      "Move inner vertices by up to this fraction of the spacing")
+  command
+      ->add_option("--jitter", request.grid.jitter,
+                   "Move inner vertices by up to this fraction of the spacing")
       ->check(CLI::Range(0.0, 0.499))
       ->capture_default_str();
   command->add_option("--seed", request.grid.seed, "Of the jitter and of random fields")

@@ -26,75 +26,76 @@ constexpr std::array<std::string_view, 6> kDomains = {
     "inner-complex-linear", "outer-complex-linear", "real-linear",
     "real-planar",          "outer-complex-planar", "inner-complex-planar"};
 
-double fraction(std::uint64_t part, std::size_t whole) {
-  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+double percent(std::uint64_t part, std::size_t whole) {
+  return whole == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
 Json to_json(const Range& range) { return {range.lo, range.hi}; }
 
 Json make_json(const InfoRequest& request, const TensorField& field, const FieldStatistics& s) {
   Json json;
-  json["field"] = {{"file", request.field},
-                   {"tets", s.tets},
-                   {"vertices", s.vertices},
-                   {"array", field.array_name},
-                   {"bounds", {to_json(s.box[0]), to_json(s.box[1]), to_json(s.box[2])}}};
-  json["ranges"] = {{"magnitude", to_json(s.magnitude)},
-                    {"trace", to_json(s.trace)},
-                    {"p", to_json(s.p)},
-                    {"q", to_json(s.q)},
-                    {"discriminant", to_json(s.discriminant)}};
-  json["trace_is_rounding"] = s.trace_is_rounding();
-  Json& domains = json["domain_fractions"] = Json::object();
+  json["file"] = request.field;
+  json["tets"] = s.tets;
+  json["vertices"] = s.vertices;
+  json["array"] = field.array_name;
+  json["box"] = {to_json(s.box[0]), to_json(s.box[1]), to_json(s.box[2])};
+  json["magnitude"] = to_json(s.magnitude);
+  json["trace"] = to_json(s.trace);
+  json["p"] = to_json(s.p);
+  json["q"] = to_json(s.q);
+  json["discriminant"] = to_json(s.discriminant);
+  json["trace_at_rounding_level"] = s.trace_is_rounding();
+  Json& domains = json["domains"] = Json::object();
   for (std::size_t k = 0; k < kDomains.size(); ++k) {
-    domains[std::string(kDomains[k])] = fraction(s.sectors[k], s.vertices);
+    domains[std::string(kDomains[k])] = s.sectors[k];
   }
-  json["exact_zeros"] = {{"p", s.zero_p},
+  json["on_features"] = s.on_pages + s.on_spine;
+  json["exact_zeros"] = {{"trace", s.vertices - s.nonzero_traces},
+                         {"p", s.zero_p},
                          {"q", s.zero_q},
-                         {"discriminant", s.zero_discriminant},
-                         {"on_surfaces", s.on_pages},
-                         {"on_triple_curve", s.on_spine}};
+                         {"discriminant", s.zero_discriminant}};
   return json;
 }
 
 void print_range(std::string_view name, const Range& range) {
-  fmt::print("  {:<22} {:>14.7g} .. {:<14.7g}\n", name, range.lo, range.hi);
+  fmt::print("  {:<22} {:>14.7g} .. {:.7g}\n", name, range.lo, range.hi);
 }
 
-void print_trace_note(const FieldStatistics& s) {
-  if (s.nonzero_traces == 0) {
-    fmt::print("  the trace is exactly zero at every vertex\n");
-  } else if (s.trace_is_rounding()) {
-    fmt::print(
-        "  warning: the trace is at the level of rounding; the field is trace-free in all but the\n"
-        "  last bits, so what depends on the sign of the trace has no meaning\n");
-  }
+void print_count(std::string_view name, std::uint64_t count, std::size_t whole) {
+  fmt::print("  {:<22} {:>10} {:>8.2f} %\n", name, count, percent(count, whole));
 }
 
-void print_text(const InfoRequest& request, const TensorField& field, const FieldStatistics& s) {
-  fmt::print("{}\n  {:<22} {}\n  {:<22} {}\n  {:<22} {}\n", request.field, "tets", s.tets,
-             "vertices", s.vertices, "tensor array", field.array_name);
+void print_ranges(const FieldStatistics& s) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     print_range(std::array{"x", "y", "z"}[axis], s.box[axis]);
   }
-  fmt::print("Ranges over the vertices (A is the deviator)\n");
+  fmt::print("Ranges over the vertices (A is the deviator of T)\n");
   print_range("magnitude |T|", s.magnitude);
   print_range("trace tr T", s.trace);
   print_range("p = minor A", s.p);
   print_range("q = det A", s.q);
   print_range("D = -4 p^3 - 27 q^2", s.discriminant);
-  print_trace_note(s);
+  if (s.trace_is_rounding()) {
+    fmt::print(
+        "  warning: the trace is at the level of rounding; what depends on its sign has no "
+        "meaning\n");
+  }
+}
+
+void print_text(const InfoRequest& request, const TensorField& field, const FieldStatistics& s) {
+  fmt::print("{}: {} tets, {} vertices, array '{}'\n", request.field, s.tets, s.vertices,
+             field.array_name);
+  print_ranges(s);
   fmt::print("Vertices by domain (certified)\n");
   for (std::size_t k = 0; k < kDomains.size(); ++k) {
-    fmt::print("  {:<22} {:>10} {:>8.2f} %\n", kDomains[k], s.sectors[k],
-               100 * fraction(s.sectors[k], s.vertices));
+    print_count(kDomains[k], s.sectors[k], s.vertices);
   }
-  fmt::print("  {:<22} {:>10} {:>8.2f} %\n", "on a feature surface", s.on_pages,
-             100 * fraction(s.on_pages, s.vertices));
-  fmt::print("  {:<22} {:>10} {:>8.2f} %\n", "on the triple curve", s.on_spine,
-             100 * fraction(s.on_spine, s.vertices));
-  fmt::print("Exact zeros (certified)\n  {:<22} {:>10}\n  {:<22} {:>10}\n  {:<22} {:>10}\n", "p = 0",
-             s.zero_p, "q = 0", s.zero_q, "D = 0", s.zero_discriminant);
+  print_count("on a feature", s.on_pages + s.on_spine, s.vertices);
+  fmt::print("Exactly zero at so many vertices (certified)\n");
+  print_count("tr T", s.vertices - s.nonzero_traces, s.vertices);
+  print_count("p", s.zero_p, s.vertices);
+  print_count("q", s.zero_q, s.vertices);
+  print_count("D", s.zero_discriminant, s.vertices);
 }
 
 ExitCode run_info(const InfoRequest& request) {
@@ -116,8 +117,9 @@ void add_info(CLI::App& program, Action& action) {
       "info", "Check a tensor field and say what is in it: ranges, domains, exact zeros.");
   command->add_option("FIELD", request->field, "Tensor field: .vtu, .pvtu or legacy .vtk")
       ->required();
-  command->add_option("--tensor", request->reading.tensor_name,
-                      "Name of the point array with 9 components; needed if there are several")
+  command
+      ->add_option("--tensor", request->reading.tensor_name,
+                   "Name of the point array with 9 components; needed if there are several")
       ->type_name("NAME");
   command->add_flag("--merge-points", request->reading.merge_points,
                     "Make one point of points with equal coordinates and tensors");

@@ -107,6 +107,4 @@ ExitCode run_guarded(int argc, char** argv) {
 }  // namespace
 }  // namespace triplex::cli
 
-int main(int argc, char** argv) {
-  return static_cast<int>(triplex::cli::run_guarded(argc, argv));
-}
+int main(int argc, char** argv) { return static_cast<int>(triplex::cli::run_guarded(argc, argv)); }

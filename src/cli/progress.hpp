@@ -8,7 +8,8 @@
 
 namespace triplex::cli {
 
-/// One line on stderr that says what is being done; silent when stderr is no terminal or on request.
+/// One line on stderr that says what is being done; silent when stderr is no terminal or on
+/// request.
 class Progress {
  public:
   explicit Progress(bool quiet);

@@ -56,8 +56,12 @@ Json options_json(const ExtractRequest& request) {
 
 Json surface_json(const FeatureSummary& summary) {
   const SurfaceTopology& s = summary.surface;
-  return {{"vertices", s.vertices}, {"triangles", s.triangles},           {"components", s.components},
-          {"euler", s.euler},       {"boundary_loops", s.boundary_loops}, {"area", summary.measure},
+  return {{"vertices", s.vertices},
+          {"triangles", s.triangles},
+          {"components", s.components},
+          {"euler", s.euler},
+          {"boundary_loops", s.boundary_loops},
+          {"area", summary.measure},
           {"unresolved", summary.unresolved}};
 }
 
@@ -84,9 +88,8 @@ Json features_json(FeatureSet features, const FeatureSummaries& summaries) {
 Json unresolved_json(const std::vector<UnresolvedTet>& unresolved) {
   Json json = Json::array();
   for (const UnresolvedTet& tet : unresolved) {
-    json.push_back({{"tet", tet.source_cell},
-                    {"features", names_of(tet.features)},
-                    {"reason", tet.reason}});
+    json.push_back(
+        {{"tet", tet.source_cell}, {"features", names_of(tet.features)}, {"reason", tet.reason}});
   }
   return json;
 }
@@ -135,7 +138,6 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
   report["features"] = features_json(request.features, summaries);
   report["unresolved"] = unresolved_json(extraction.unresolved);
   report["timing_s"] = {{"read", timing.read},
-                        {"classify", extraction.timing.classify_s},
                         {"refine", extraction.timing.refine_s},
                         {"extract", extraction.timing.extract_s},
                         {"topology", timing.topology},

@@ -29,8 +29,7 @@ StagedDirectory::StagedDirectory(std::filesystem::path target) : target_(std::mo
   if (error) fail("cannot create the directory", target_, error);
   std::string pattern = (target_ / ".triplex-XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) {
-    fail("cannot write to the directory", target_,
-         std::error_code(errno, std::generic_category()));
+    fail("cannot write to the directory", target_, std::error_code(errno, std::generic_category()));
   }
   folder_ = pattern;
 }

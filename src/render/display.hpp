@@ -4,7 +4,8 @@
 
 namespace triplex {
 
-/// Errors: no X display can be opened -> RenderError that names the cure. VTK would abort the process.
+/// Errors: no X display can be opened -> RenderError that names the cure. VTK would abort the
+/// process.
 void require_display();
 
 }  // namespace triplex

@@ -7,13 +7,13 @@
 #include <vtkObject.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include <algorithm>
-
 #include "display.hpp"
 #include "scene.hpp"
+#include "triplex/io/atomic_file.hpp"
 
 namespace triplex {
 namespace {
@@ -29,8 +29,7 @@ vtkSmartPointer<vtkPolyData> read_mesh(const std::filesystem::path& file) {
   return reader->GetOutput();
 }
 
-std::vector<DrawnFeature> read_features(const std::filesystem::path& directory,
-                                        FeatureSet wanted) {
+std::vector<DrawnFeature> read_features(const std::filesystem::path& directory, FeatureSet wanted) {
   std::vector<DrawnFeature> drawn;
   for (const FeatureRow& row : feature_table()) {
     if ((wanted & bit(row.feature)) == 0) continue;
@@ -40,24 +39,20 @@ std::vector<DrawnFeature> read_features(const std::filesystem::path& directory,
   return drawn;
 }
 
-// Written next to the target, then renamed, so that no half a picture stays behind.
 void write_picture(vtkRenderWindow* window, const std::filesystem::path& picture) {
   vtkNew<vtkWindowToImageFilter> image;
   image->SetInput(window);
   image->ReadFrontBufferOff();
-  std::filesystem::path temporary = picture;
-  temporary += ".part";
   vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(temporary.c_str());
+  writer->WriteToMemoryOn();
   writer->SetInputConnection(image->GetOutputPort());
   writer->Write();
-  std::error_code error;
-  if (writer->GetErrorCode() == vtkErrorCode::NoError) {
-    std::filesystem::rename(temporary, picture, error);
-    if (!error) return;
+  vtkUnsignedCharArray* const bytes = writer->GetResult();
+  if (writer->GetErrorCode() != vtkErrorCode::NoError || bytes == nullptr) {
+    throw RenderError("cannot encode the picture " + picture.string());
   }
-  std::filesystem::remove(temporary, error);
-  throw RenderError("cannot write the picture " + picture.string());
+  const auto* const begin = reinterpret_cast<const char*>(bytes->GetPointer(0));
+  write_file_atomically(picture, {begin, static_cast<std::size_t>(bytes->GetNumberOfValues())});
 }
 
 }  // namespace

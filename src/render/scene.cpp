@@ -18,11 +18,12 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace triplex {
 namespace {
+
+constexpr double kFilled = 0.95;  // of the height or width of the picture
 
 void add_feature(vtkRenderer* renderer, const DrawnFeature& drawn, int height) {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -34,13 +35,13 @@ void add_feature(vtkRenderer* renderer, const DrawnFeature& drawn, int height) {
   const auto [red, green, blue] = drawn.row->color;
   look->SetColor(red, green, blue);
   if (drawn.row->feature == Feature::TripleCurve) {
-    look->SetLineWidth(static_cast<float>(std::max(2.0, height / 250.0)));
+    look->SetLineWidth(static_cast<float>(std::max(2.0, height / 200.0)));
     look->LightingOff();
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
     mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-4, -4);  // in front of the surfaces
   } else {
-    look->SetAmbient(0.35);
-    look->SetDiffuse(0.75);
+    look->SetAmbient(0.22);
+    look->SetDiffuse(0.72);
     look->SetSpecular(0.15);
     look->SetSpecularPower(20);
   }
@@ -91,17 +92,23 @@ void add_legend(vtkRenderer* renderer, const std::vector<DrawnFeature>& features
   renderer->AddActor(legend);
 }
 
-// How far the box reaches towards the border of the picture, 1 at the border.
-double extent_in_view(vtkCamera* camera, const vtkBoundingBox& box, double aspect) {
+// Moves the picture and zooms so that the box fills it but for a margin.
+void fit_view(vtkCamera* camera, const vtkBoundingBox& box, double aspect) {
   vtkMatrix4x4* const projection = camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1);
-  double extent = 0;
+  vtkBoundingBox view;  // of the corners; the picture reaches from -1 to 1
   for (int corner = 0; corner < 8; ++corner) {
     double point[4] = {0, 0, 0, 1};
     box.GetCorner(corner, point);
     projection->MultiplyPoint(point, point);
-    extent = std::max({extent, std::abs(point[0] / point[3]), std::abs(point[1] / point[3])});
+    view.AddPoint(point[0] / point[3], point[1] / point[3], 0);
   }
-  return extent;
+  const double extent = std::max(view.GetLength(0), view.GetLength(1)) / 2;
+  if (extent <= 0) return;
+  const double zoom = kFilled / extent;
+  double center[3];
+  view.GetCenter(center);
+  camera->Zoom(zoom);
+  camera->SetWindowCenter(zoom * center[0], zoom * center[1]);
 }
 
 void place_camera(vtkRenderer* renderer, const vtkBoundingBox& box, const RenderOptions& options) {
@@ -132,8 +139,7 @@ void place_camera(vtkRenderer* renderer, const vtkBoundingBox& box, const Render
   box.GetBounds(bounds);
   renderer->ResetCamera(bounds);
   const double aspect = static_cast<double>(options.width) / options.height;
-  const double extent = extent_in_view(camera, box, aspect);
-  if (extent > 0) camera->Zoom(0.94 / extent);
+  fit_view(camera, box, aspect);
   renderer->ResetCameraClippingRange(bounds);
 }
 

@@ -50,8 +50,7 @@ SidesByVertex sides_by_smaller_vertex(Triangles triangles, std::size_t points) {
   result.first.assign(points + 1, 0);
   const auto corners = static_cast<std::uint32_t>(3 * triangles.size());
   for (std::uint32_t c = 0; c < corners; ++c) {
-    const std::uint32_t v =
-        std::min(vertex_at(triangles, c), vertex_at(triangles, next_corner(c)));
+    const std::uint32_t v = std::min(vertex_at(triangles, c), vertex_at(triangles, next_corner(c)));
     ++result.first[v + 1];
   }
   for (std::size_t v = 0; v < points; ++v) result.first[v + 1] += result.first[v];
@@ -94,8 +93,8 @@ class Collector {
     ++result_.edges;
     if (by_vertex_.unite(low, high)) --result_.components;
     if (sides.size() == 1) add_boundary_edge(low, high);
-    if (sides.size() == 2 && vertex_at(triangles_, sides[0].corner) ==
-                                 vertex_at(triangles_, sides[1].corner)) {
+    if (sides.size() == 2 &&
+        vertex_at(triangles_, sides[0].corner) == vertex_at(triangles_, sides[1].corner)) {
       ++result_.orientation_conflicts;
     }
     if (sides.size() > 2) ++result_.nonmanifold_edges;

@@ -35,7 +35,7 @@ Polynomial plus(Polynomial a, const Polynomial& b, int s) {
 }
 
 struct Pair {
-  Perturbed series;
+  Perturbed<4> series;
   Polynomial polynomial;
 };
 
@@ -53,7 +53,7 @@ class Infinitesimal : public ::testing::Test {
     const double a = std::ldexp(mantissa_(random_), exponent_(random_));
     const double b = small_(random_);
     const double c = small_(random_) == 0 ? 0 : a;
-    return {Perturbed(Exact(c), Exact(b)), {mpq_class(c), mpq_class(b)}};
+    return {Perturbed<4>(Exact(c), Exact(b)), {mpq_class(c), mpq_class(b)}};
   }
   std::mt19937_64 random_{1};
   std::uniform_real_distribution<double> mantissa_{-1, 1};
@@ -85,31 +85,31 @@ TEST_F(Infinitesimal, AgreesWithUntruncatedPolynomials) {
 }
 
 TEST_F(Infinitesimal, RingLaws) {
-  const auto same = [](const Perturbed& a, const Perturbed& b) {
+  const auto same = [](const Perturbed<4>& a, const Perturbed<4>& b) {
     for (int k = 0; k < 7; ++k) {
       if (!(a.coefficient(k) == b.coefficient(k))) return false;
     }
     return true;
   };
   for (int n = 0; n < 500; ++n) {
-    const Perturbed x = draw().series, y = draw().series, z = draw().series;
+    const Perturbed<4> x = draw().series, y = draw().series, z = draw().series;
     ASSERT_TRUE(same((x * y) * z, x * (y * z)));
     ASSERT_TRUE(same(x * (y + z), x * y + x * z));
     ASSERT_TRUE(same(x * y, y * x));
-    ASSERT_TRUE(same(x - x, Perturbed(0)));
-    ASSERT_TRUE(same(x * Perturbed(1), x));
+    ASSERT_TRUE(same(x - x, Perturbed<4>(0)));
+    ASSERT_TRUE(same(x * Perturbed<4>(1), x));
     ASSERT_EQ(sign(-x), -sign(x));
     ASSERT_EQ(sign(x * y), sign(x) * sign(y));  // degree two: nothing is cut off
   }
 }
 
 TEST_F(Infinitesimal, LowestCoefficientDecides) {
-  const Perturbed eps(Exact(0), Exact(1));
-  Perturbed power(1);
+  const Perturbed<4> eps(Exact(0), Exact(1));
+  Perturbed<4> power(1);
   for (int k = 0; k < 7; ++k) {
     EXPECT_EQ(sign(power), Sign::Positive);
-    EXPECT_EQ(sign(Perturbed(-1) * power), Sign::Negative);
-    EXPECT_EQ(sign(Perturbed(0x1p-1074) - Perturbed(1e300) * power),
+    EXPECT_EQ(sign(Perturbed<4>(-1) * power), Sign::Negative);
+    EXPECT_EQ(sign(Perturbed<4>(0x1p-1074) - Perturbed<4>(1e300) * power),
               k == 0 ? Sign::Negative : Sign::Positive);
     power = power * eps;
   }

@@ -108,22 +108,22 @@ TEST(Forms, TheSameOverEveryRing) {
   for (int n = 0; n < 50; ++n) {
     std::array<Tensor<long>, 2> a;
     std::array<Tensor<Exact>, 2> exact;
-    std::array<Tensor<Perturbed>, 2> perturbed;
+    std::array<Tensor<Perturbed<4>>, 2> perturbed;
     for (int i = 0; i < 2; ++i) {
       const Tensor<double> t = oracle::degenerate_tensor(random);
       a[i] = triple_deviator(as_integers(t));
       Tensor<Exact> e;
-      Tensor<Perturbed> s;
+      Tensor<Perturbed<4>> s;
       for (int k = 0; k < 9; ++k) {
         e[k] = Exact(t[k]);
-        s[k] = Perturbed(t[k]);
+        s[k] = Perturbed<4>(t[k]);
       }
       exact[i] = triple_deviator(e);
       perturbed[i] = triple_deviator(s);
     }
     const auto f = forms_of<long, 2>(a);
     const auto g = forms_of<Exact, 2>(exact);
-    const auto h = forms_of<Perturbed, 2>(perturbed);
+    const auto h = forms_of<Perturbed<4>, 2>(perturbed);
     for (int k = 0; k < kPairs<2>; ++k) {
       EXPECT_EQ(g.p[k], Exact(f.p[k]));
       EXPECT_EQ(h.p[k].coefficient(0), Exact(f.p[k]));

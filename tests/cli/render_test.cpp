@@ -18,9 +18,15 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 Outcome run_on_virtual_display(const std::vector<std::string>& arguments) {
+  // With an authority file of its own, xvfb-run has no directory to remove: now and then that fails
+  // and hides the exit code of the program.
+  const TemporaryDirectory directory;
+  const std::string authority = (directory / "authority").string();
+  write_content(authority, "");
   Process::Options xvfb;
   xvfb.executable = "xvfb-run";
-  std::vector<std::string> words = {"-a", "-s", "-screen 0 640x480x24", TRIPLEX_PROGRAM};
+  std::vector<std::string> words = {"-a",           "-f", authority, "-s", "-screen 0 640x480x24",
+                                    TRIPLEX_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   return Process(words, xvfb).wait();
 }
@@ -38,7 +44,8 @@ TEST(Render, DrawsWhatExtractWrote) {
   const Outcome extracted = run({"extract", make_field(directory, "lorenz", 6), "-o", out});
   ASSERT_TRUE(extracted.code == 0 || extracted.code == 2) << extracted.err;
   const std::string picture = (directory / "picture.png").string();
-  const Outcome outcome = run_on_virtual_display({"render", out, "-o", picture, "--size", "320x240"});
+  const Outcome outcome =
+      run_on_virtual_display({"render", out, "-o", picture, "--size", "320x240"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   vtkNew<vtkPNGReader> reader;
   reader->SetFileName(picture.c_str());
@@ -55,6 +62,9 @@ TEST(Render, DrawsWhatExtractWrote) {
     }
   }
   EXPECT_GT(colors.size(), 100u);  // shaded surfaces, not a blank page
+  const Outcome below_file =
+      run_on_virtual_display({"render", out, "-o", picture + "/a.png", "--size", "64x64"});
+  EXPECT_EQ(below_file.code, 4) << below_file.err;
 }
 
 TEST(Render, RefusesADirectoryWithoutMeshes) {

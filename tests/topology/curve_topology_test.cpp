@@ -19,12 +19,14 @@ TEST(CurveTopology, Nothing) {
 
 TEST(CurveTopology, OpenArcWithAnUnusedPoint) {
   const CurveTopology t = curve_topology(Segments{{3, 1}, {1, 0}}, 5);
-  EXPECT_EQ(t, (CurveTopology{.vertices = 3, .segments = 2, .components = 1, .closed = 0, .ends = 2}));
+  EXPECT_EQ(t,
+            (CurveTopology{.vertices = 3, .segments = 2, .components = 1, .closed = 0, .ends = 2}));
 }
 
 TEST(CurveTopology, LoopAndArcAreTwoComponents) {
   const CurveTopology t = curve_topology(Segments{{0, 1}, {2, 1}, {0, 2}, {3, 4}}, 5);
-  EXPECT_EQ(t, (CurveTopology{.vertices = 5, .segments = 4, .components = 2, .closed = 1, .ends = 2}));
+  EXPECT_EQ(t,
+            (CurveTopology{.vertices = 5, .segments = 4, .components = 2, .closed = 1, .ends = 2}));
 }
 
 TEST(CurveTopology, FigureEightIsNotAClosedCurve) {

@@ -63,8 +63,8 @@ TEST(SurfaceTopology, OneTriangleAmongUnusedPoints) {
 
 TEST(SurfaceTopology, TetrahedronIsASphere) {
   const SurfaceTopology t = surface_topology(kTetrahedron, 4);
-  EXPECT_EQ(t, (SurfaceTopology{
-                   .vertices = 4, .edges = 6, .triangles = 4, .components = 1, .euler = 2}));
+  EXPECT_EQ(
+      t, (SurfaceTopology{.vertices = 4, .edges = 6, .triangles = 4, .components = 1, .euler = 2}));
   EXPECT_TRUE(t.manifold());
   EXPECT_TRUE(t.closed());
 }

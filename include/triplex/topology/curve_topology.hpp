@@ -22,8 +22,8 @@ struct CurveTopology {
   friend bool operator==(const CurveTopology&, const CurveTopology&) = default;
 };
 
-/// The topology of the segments, from their indices alone. Points that no segment uses do not count.
-/// Errors: an index out of range or twice in one segment -> std::invalid_argument.
+/// The topology of the segments, from their indices alone. Points that no segment uses do not
+/// count. Errors: an index out of range or twice in one segment -> std::invalid_argument.
 CurveTopology curve_topology(std::span<const std::array<std::uint32_t, 2>> segments,
                              std::size_t points);
 

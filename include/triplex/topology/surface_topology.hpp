@@ -12,8 +12,8 @@ namespace triplex {
 
 /// The combinatorial topology of a triangle mesh and what keeps it from being an oriented manifold.
 struct SurfaceTopology {
-  std::uint64_t vertices = 0;   ///< points that some triangle uses
-  std::uint64_t edges = 0;      ///< unordered pairs of vertices that share a triangle
+  std::uint64_t vertices = 0;  ///< points that some triangle uses
+  std::uint64_t edges = 0;     ///< unordered pairs of vertices that share a triangle
   std::uint64_t triangles = 0;
   std::uint64_t components = 0;  ///< joined through shared vertices
   std::int64_t euler = 0;        ///< vertices - edges + triangles
@@ -31,8 +31,8 @@ struct SurfaceTopology {
 };
 
 /// The topology of the triangles, from their indices alone. Shape: any number of triangles over
-/// `points` points; points that no triangle uses do not count. Time: linear, but for sorting the few
-/// edges at each vertex. Errors: an index out of range or twice in one triangle ->
+/// `points` points; points that no triangle uses do not count. Time: linear, but for sorting the
+/// few edges at each vertex. Errors: an index out of range or twice in one triangle ->
 /// std::invalid_argument.
 SurfaceTopology surface_topology(std::span<const std::array<std::uint32_t, 3>> triangles,
                                  std::size_t points);
