@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triplex/certify/cell.hpp"
 
+#include <utility>
+
 #include "triplex/certify/descartes.hpp"
 #include "triplex/certify/edge_side.hpp"
 #include "triplex/certify/exclusion.hpp"
@@ -30,55 +32,80 @@ constexpr FeatureSet kDegenerate = bit(Feature::DegenerateLinear) | bit(Feature:
 template <int N>
 using Local = std::array<int, static_cast<std::size_t>(N + 0)>;
 
-/// A simplex with the signs that p and q keep on it, each asked for once.
+/// A simplex with the signs that p and q keep on it, each found once.
 template <int N>
 class SignedSimplex {
  public:
   template <class... Args>
   SignedSimplex(SignStages& stages, Args&&... args)
-      : simplex_(std::forward<Args>(args)...), stages_(stages) {
-    sign_p_ = uniform_sign_of_p(simplex_, stages_);
-    sign_q_ = uniform_sign_of_q(simplex_, stages_);
-  }
+      : simplex_(std::forward<Args>(args)...), stages_(stages) {}
+
   const Simplex<N>& operator*() const { return simplex_; }
-  Sign sign_p() const { return sign_p_; }
-  Sign sign_q() const { return sign_q_; }
+  Sign sign_p() { return known(p_, uniform_sign_of_p<N>); }
+  Sign sign_q() { return known(q_, uniform_sign_of_q<N>); }
 
   bool lacks_spine() {
-    return sign_p_ != Sign::Zero || sign_q_ != Sign::Zero || excludes_spine(simplex_, stages_);
+    return cheaply_first([&] {
+      return sign_p() != Sign::Zero || sign_q() != Sign::Zero || excludes_spine(simplex_, stages_);
+    });
   }
-  /// No point of that degenerate page.
+  /// The sheet is absent (for a degenerate one: its page is) or a graph; on edges also if the spine is
+  /// absent or the sheet is that of p or q: crossed at most once.
+  bool certifies(Sheet sheet, bool near_spine) {
+    return cheaply_first([&] { return attempt(sheet, near_spine); });
+  }
+
+ private:
+  struct KnownSign {
+    Sign value = Sign::Zero;
+    bool final = false;
+  };
+
+  /// All tests on the cheap rungs; then, if one of them was left undecided, once more on all rungs.
+  template <class Test>
+  bool cheaply_first(const Test& test) {
+    stages_.limit = Stage::Interval;
+    stages_.stopped_short = false;
+    const bool found = test();
+    stages_.limit = Stage::Exact;
+    return found || (stages_.stopped_short && test());
+  }
+
+  /// The uniform sign, asked again only if a higher rung may be climbed than before.
+  template <class Find>
+  Sign known(KnownSign& sign, const Find& find) {
+    if (sign.final) return sign.value;
+    const bool short_before = std::exchange(stages_.stopped_short, false);
+    sign.value = find(simplex_, stages_);
+    sign.final = sign.value != Sign::Zero || !stages_.stopped_short;
+    stages_.stopped_short |= short_before;
+    return sign.value;
+  }
+
   bool lacks_degenerate(Sign s) {
-    return sign_p_ == Sign::Positive || sign_q_ == -s ||
+    return sign_p() == Sign::Positive || sign_q() == -s ||
            excludes_degenerate_page(simplex_, s, stages_);
   }
-  /// The sheet is absent (for a degenerate one: its page is) or a graph.
-  bool certifies(Sheet sheet) {
+  bool attempt(Sheet sheet, bool near_spine) {
+    bool absent = false;
     switch (sheet) {
-      case Sheet::Balanced:
-        if (sign_p_ != Sign::Zero) return true;
-        break;
-      case Sheet::Neutral:
-        if (sign_q_ != Sign::Zero) return true;
-        break;
-      case Sheet::DegenerateLinear:
-        if (lacks_degenerate(Sign::Positive)) return true;
-        break;
-      case Sheet::DegeneratePlanar:
-        if (lacks_degenerate(Sign::Negative)) return true;
-        break;
+      case Sheet::Balanced: absent = sign_p() != Sign::Zero; break;
+      case Sheet::Neutral: absent = sign_q() != Sign::Zero; break;
+      case Sheet::DegenerateLinear: absent = lacks_degenerate(Sign::Positive); break;
+      case Sheet::DegeneratePlanar: absent = lacks_degenerate(Sign::Negative); break;
     }
-    if (certifies_graph(simplex_, sheet, stages_)) return true;
-    // Last, as it costs most; the tet asks for it itself, once for both degenerate sheets.
+    if (absent || certifies_graph(simplex_, sheet, stages_)) return true;
     const bool degenerate = sheet == Sheet::DegenerateLinear || sheet == Sheet::DegeneratePlanar;
+    if constexpr (N == 2)
+      return (!degenerate || !near_spine) && certifies_one_root(simplex_, sheet, stages_);
+    // Last, as it costs most; the tet asks for it itself, once for both degenerate sheets.
     return N == 3 && degenerate &&
            uniform_sign_of_discriminant(simplex_, stages_) != Sign::Zero;
   }
 
- private:
   Simplex<N> simplex_;
   SignStages& stages_;
-  Sign sign_p_ = Sign::Zero, sign_q_ = Sign::Zero;
+  KnownSign p_, q_;
 };
 
 /// Which of the requested features a tet may hold.
@@ -199,16 +226,9 @@ class CellCheck {
   template <int N>
   void check(Obstacle obstacle, SignedSimplex<N>& simplex, const Local<N>& local) {
     SheetSet failed = 0;
-    for (int s = 0; s < kSheets; ++s) {
-      if (!(needed_ >> s & 1u) || simplex.certifies(static_cast<Sheet>(s))) continue;
-      if constexpr (N == 2) {
-        const bool whole_sheet = kSpineSheets >> s & 1u;
-        if ((whole_sheet || !has_spine_) &&
-            certifies_one_root(*simplex, static_cast<Sheet>(s), stages_))
-          continue;
-      }
-      failed |= 1u << s;
-    }
+    for (int s = 0; s < kSheets; ++s)
+      if ((needed_ >> s & 1u) && !simplex.certifies(static_cast<Sheet>(s), has_spine_))
+        failed |= 1u << s;
     if (failed == 0) return;
     failed_ |= failed;
     const bool degenerate = failed & (sheet_bit(Sheet::DegenerateLinear) | sheet_bit(Sheet::DegeneratePlanar));

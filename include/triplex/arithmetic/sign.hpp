@@ -17,11 +17,14 @@ constexpr Sign operator*(Sign a, Sign b) {
 /// The rung of the sign ladder that decided: double filter, interval, exact.
 enum class Stage : std::uint8_t { Filter, Interval, Exact };
 
-/// How many decisions each rung took. Additive, so per-thread counts can be summed in any order.
+/// How many decisions each rung took (additive, so per-thread counts can be summed in any order), and how
+/// far a decision may climb: certificates are tried on the cheap rungs first.
 struct SignStages {
   std::uint64_t filter = 0;
   std::uint64_t interval = 0;
   std::uint64_t exact = 0;
+  Stage limit = Stage::Exact;  ///< the last rung to be asked
+  bool stopped_short = false;  ///< some question met the limit before it was decided
 
   void count(Stage stage) {
     (stage == Stage::Filter ? filter : stage == Stage::Interval ? interval : exact) += 1;

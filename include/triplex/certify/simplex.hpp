@@ -74,7 +74,10 @@ class Simplex {
   /// A face or an edge of a simplex: its coefficients are a selection, its bounds its own.
   template <int M>
   Simplex(const Simplex<M>& parent, const std::array<int, N>& local)
-      : field_(&parent.field()), approximate_(restrict_to<N>(parent.approximate(), local)) {
+      : field_(&parent.field()),
+        approximate_(restrict_to<N>(parent.approximate(), local)),
+        local_(local) {
+    if constexpr (M == 4) cell_exact_ = parent.exact_;
     for (int i = 0; i < N; ++i) {
       vertices_[i] = parent.vertices()[local[i]];
       entries_.include(field_->approximate(vertices_[i]).bounds);
@@ -118,6 +121,9 @@ class Simplex {
   }
 
  private:
+  template <int M>
+  friend class Simplex;
+
   /// Errors follow from the entries; magnitudes are those of the coefficients at hand.
   void set_bounds() {
     bounds_ = FormBounds(entries_);
@@ -144,6 +150,10 @@ class Simplex {
         return verdict == Verdict::Yes;
       }
     }
+    if (stages.limit != Stage::Exact) {
+      stages.stopped_short = true;
+      return false;
+    }
     stages.count(Stage::Exact);
     Verdict verdict = test(exact_forms(), bounds_);
     if (verdict == Verdict::Unknown) verdict = test(perturbed_forms(), bounds_);
@@ -164,7 +174,8 @@ class Simplex {
   }
   const Forms<Exact, N>& exact_forms() const {
     if (!exact_) {
-      exact_ = std::make_shared<const Forms<Exact, N>>(forms_of<Exact, N>(exact_tensors()));
+      exact_ = std::make_shared<const Forms<Exact, N>>(
+          cell_exact_ ? restrict_to<N>(*cell_exact_, local_) : forms_of<Exact, N>(exact_tensors()));
     }
     return *exact_;
   }
@@ -187,6 +198,8 @@ class Simplex {
   EntryBounds entries_;
   FormBounds bounds_;
   Forms<double, N> approximate_;
+  std::array<int, N> local_{};                           // in the cell, of a face or edge
+  std::shared_ptr<const Forms<Exact, 4>> cell_exact_;    // if the cell has needed them
   mutable std::shared_ptr<const Forms<Interval, N>> interval_;
   mutable std::shared_ptr<const Forms<Exact, N>> exact_;
   mutable std::shared_ptr<const Forms<Perturbed<N>, N>> perturbed_;
