@@ -49,8 +49,8 @@ class SignedSimplex {
       return sign_p() != Sign::Zero || sign_q() != Sign::Zero || excludes_spine(simplex_, stages_);
     });
   }
-  /// The sheet is absent (for a degenerate one: its page is) or a graph; on edges also if the spine is
-  /// absent or the sheet is that of p or q: crossed at most once.
+  /// The sheet is absent (for a degenerate one: its page is) or a graph; on edges also if the spine
+  /// is absent or the sheet is that of p or q: crossed at most once.
   bool certifies(Sheet sheet, bool near_spine) {
     return cheaply_first([&] { return attempt(sheet, near_spine); });
   }
@@ -89,18 +89,25 @@ class SignedSimplex {
   bool attempt(Sheet sheet, bool near_spine) {
     bool absent = false;
     switch (sheet) {
-      case Sheet::Balanced: absent = sign_p() != Sign::Zero; break;
-      case Sheet::Neutral: absent = sign_q() != Sign::Zero; break;
-      case Sheet::DegenerateLinear: absent = lacks_degenerate(Sign::Positive); break;
-      case Sheet::DegeneratePlanar: absent = lacks_degenerate(Sign::Negative); break;
+      case Sheet::Balanced:
+        absent = sign_p() != Sign::Zero;
+        break;
+      case Sheet::Neutral:
+        absent = sign_q() != Sign::Zero;
+        break;
+      case Sheet::DegenerateLinear:
+        absent = lacks_degenerate(Sign::Positive);
+        break;
+      case Sheet::DegeneratePlanar:
+        absent = lacks_degenerate(Sign::Negative);
+        break;
     }
     if (absent || certifies_graph(simplex_, sheet, stages_)) return true;
     const bool degenerate = sheet == Sheet::DegenerateLinear || sheet == Sheet::DegeneratePlanar;
     if constexpr (N == 2)
       return (!degenerate || !near_spine) && certifies_one_root(simplex_, sheet, stages_);
     // Last, as it costs most; the tet asks for it itself, once for both degenerate sheets.
-    return N == 3 && degenerate &&
-           uniform_sign_of_discriminant(simplex_, stages_) != Sign::Zero;
+    return N == 3 && degenerate && uniform_sign_of_discriminant(simplex_, stages_) != Sign::Zero;
   }
 
   Simplex<N> simplex_;
@@ -121,7 +128,8 @@ FeatureSet possible_features(SignedSimplex<4>& cell, FeatureSet requested, SignS
   if (q == Sign::Positive)
     possible &= ~(bit(Feature::BalancedPlanar) | bit(Feature::DegeneratePlanar));
   for (const Sign s : {Sign::Positive, Sign::Negative}) {
-    const auto page = bit(s == Sign::Positive ? Feature::DegenerateLinear : Feature::DegeneratePlanar);
+    const auto page =
+        bit(s == Sign::Positive ? Feature::DegenerateLinear : Feature::DegeneratePlanar);
     if ((possible & page) && excludes_degenerate_page(*cell, s, stages)) possible &= ~page;
   }
   return possible;
@@ -154,7 +162,8 @@ class CellCheck {
     needed_ = sheets_of_possible() | (has_spine_ ? kSpineSheets : 0);
 
     check(Obstacle::Cell, cell_, kWhole);
-    if (failed_ & (sheet_bit(Sheet::DegenerateLinear) | sheet_bit(Sheet::DegeneratePlanar))) try_discriminant();
+    if (failed_ & (sheet_bit(Sheet::DegenerateLinear) | sheet_bit(Sheet::DegeneratePlanar)))
+      try_discriminant();
     if (possible_ == 0) return;
     for (const auto& face : kFaces) check_face(face);
     for (const auto& edge : kEdges) {
@@ -170,9 +179,9 @@ class CellCheck {
     possible_ &= ~features;
   }
 
-  /// D of one sign leaves neither degenerate page nor spine, so what they needed falls away. D > 0 keeps
-  /// (p, q) in the half plane p < 0; for D < 0 it is p and q, certified on the edges, that fix the
-  /// rotations.
+  /// D of one sign leaves neither degenerate page nor spine, so what they needed falls away. D > 0
+  /// keeps (p, q) in the half plane p < 0; for D < 0 it is p and q, certified on the edges, that
+  /// fix the rotations.
   void try_discriminant() {
     const Sign sign = uniform_sign_of_discriminant(*cell_, stages_);
     if (sign == Sign::Zero) return;
@@ -231,7 +240,8 @@ class CellCheck {
         failed |= 1u << s;
     if (failed == 0) return;
     failed_ |= failed;
-    const bool degenerate = failed & (sheet_bit(Sheet::DegenerateLinear) | sheet_bit(Sheet::DegeneratePlanar));
+    const bool degenerate =
+        failed & (sheet_bit(Sheet::DegenerateLinear) | sheet_bit(Sheet::DegeneratePlanar));
     block(obstacle, *simplex, local,
           {.p = (failed & sheet_bit(Sheet::Balanced)) != 0,
            .q = (failed & sheet_bit(Sheet::Neutral)) != 0,
@@ -248,14 +258,15 @@ class CellCheck {
     result_.variation = choice.variation;
   }
 
-  /// A page is open if its sheet failed anywhere in the tet, or if the spine that may bound it did, or
-  /// what fixes the rotations.
+  /// A page is open if its sheet failed anywhere in the tet, or if the spine that may bound it did,
+  /// or what fixes the rotations.
   void conclude() {
     const bool spine_open =
         rotations_need_both_ && (spine_failed_ || (failed_ & kSpineSheets) != 0);
     for (int page = 0; page < kPages; ++page) {
       if (!(possible_ & bit(page))) continue;
-      const bool failed = (failed_ & sheet_bit(row(static_cast<Feature>(page)).sheet)) || spine_open;
+      const bool failed =
+          (failed_ & sheet_bit(row(static_cast<Feature>(page)).sheet)) || spine_open;
       (failed ? result_.open : result_.graph) |= bit(page);
     }
     if (possible_ & kCurve) (spine_open ? result_.open : result_.graph) |= kCurve;
@@ -263,9 +274,9 @@ class CellCheck {
     if (result_.open == 0) result_.obstacle = Obstacle::None;
   }
 
-  /// Extraction reads pages off the rotations. Where no page of interest is left, nothing above proves
-  /// these; a rotation across an excluded page then shows that it is the wrong one, and the edge must
-  /// be cut. (Never so when all features are requested, as p or q is then certified.)
+  /// Extraction reads pages off the rotations. Where no page of interest is left, nothing above
+  /// proves these; a rotation across an excluded page then shows that it is the wrong one, and the
+  /// edge must be cut. (Never so when all features are requested, as p or q is then certified.)
   void check_rotations() {
     for (const auto& edge : kEdges) {
       const VertexId a = vertices_[edge[0]], b = vertices_[edge[1]];
@@ -297,13 +308,20 @@ class CellCheck {
 
 std::string_view describe(Obstacle obstacle) {
   switch (obstacle) {
-    case Obstacle::None: return "none";
-    case Obstacle::Vertex: return "a sign at a vertex stays zero under the perturbation";
-    case Obstacle::Cell: return "no direction certifies the sheet in the tet";
-    case Obstacle::Face: return "no direction certifies the sheet on a face";
-    case Obstacle::Edge: return "the sheet may cross an edge more than once";
-    case Obstacle::SpineFace: return "(p, q) not proven injective on a face";
-    case Obstacle::SpineCell: return "triple degenerate curve not proven to be one arc";
+    case Obstacle::None:
+      return "none";
+    case Obstacle::Vertex:
+      return "a sign at a vertex stays zero under the perturbation";
+    case Obstacle::Cell:
+      return "no direction certifies the sheet in the tet";
+    case Obstacle::Face:
+      return "no direction certifies the sheet on a face";
+    case Obstacle::Edge:
+      return "the sheet may cross an edge more than once";
+    case Obstacle::SpineFace:
+      return "(p, q) not proven injective on a face";
+    case Obstacle::SpineCell:
+      return "triple degenerate curve not proven to be one arc";
   }
   return "";
 }

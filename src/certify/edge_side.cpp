@@ -13,7 +13,8 @@ Certainty operator*(Certainty a, Certainty b) {
 
 /// In x = t / (1 - t), P = a x^2 + b x + c has one positive root x*, and a^2 Q = alpha x + beta
 /// modulo P. If alpha and beta differ in sign, then x0 = -beta / alpha > 0 is compared with x*:
-/// x* > x0 exactly if P(x0) has the sign of c, and alpha^2 P(x0) = a beta^2 - b alpha beta + c alpha^2.
+/// x* > x0 exactly if P(x0) has the sign of c, and alpha^2 P(x0) = a beta^2 - b alpha beta + c
+/// alpha^2.
 template <class NT>
 Certainty sign_by_remainder(const Forms<NT, 2>& f) {
   const NT& a = f.P(1, 1);

@@ -45,8 +45,8 @@ struct UniformQ {
   }
 };
 
-/// Above the page's curve, for s = +1: Q > 0, and R > 0 or 2 R^3 + 81 Q^2 > 0 (with P = R / 3 this is
-/// 27 (2 P^3 + 3 Q^2) = -108 D > 0).
+/// Above the page's curve, for s = +1: Q > 0, and R > 0 or 2 R^3 + 81 Q^2 > 0 (with P = R / 3 this
+/// is 27 (2 P^3 + 3 Q^2) = -108 D > 0).
 struct BeyondCurve {
   Sign s;
 
@@ -77,8 +77,8 @@ struct BeyondCurve {
   }
 };
 
-/// On the inner side of the tangent at P = -6 v^2, for s = +1: Q + v R + 6 v^3 < 0. The curve is convex
-/// (as the graph of q over p), so the page lies on the other side of every tangent or on it.
+/// On the inner side of the tangent at P = -6 v^2, for s = +1: Q + v R + 6 v^3 < 0. The curve is
+/// convex (as the graph of q over p), so the page lies on the other side of every tangent or on it.
 struct InsideTangent {
   Sign s;
   double v;
@@ -156,9 +156,9 @@ struct InHalfPlane {
   double a, b;
   template <class NT, int N>
   Verdict operator()(const Forms<NT, N>& f, const FormBounds& bounds) const {
-    const double error = std::fabs(a) * tripled_p_error(bounds) + std::fabs(b) * bounds.q_error +
-                         gamma(4) * (3 * std::fabs(a) * bounds.p_magnitude +
-                                     std::fabs(b) * bounds.q_magnitude);
+    const double error =
+        std::fabs(a) * tripled_p_error(bounds) + std::fabs(b) * bounds.q_error +
+        gamma(4) * (3 * std::fabs(a) * bounds.p_magnitude + std::fabs(b) * bounds.q_magnitude);
     AllPositive all;
     for (int n = 0; n < kTriples<N>; ++n) {
       const NT value = NT(a) * tripled_p(f, triples<N>()[n]) + NT(b) * f.q[n];
@@ -226,11 +226,11 @@ bool excludes_spine(const Simplex<N>& simplex, SignStages& stages) {
   return simplex.decide(InHalfPlane{d[0] * weight_r, d[1] * weight_q}, stages);
 }
 
-#define TRIPLEX_INSTANTIATE(N)                                                      \
-  template Sign uniform_sign_of_p<N>(const Simplex<N>&, SignStages&);               \
-  template Sign uniform_sign_of_q<N>(const Simplex<N>&, SignStages&);               \
-  template bool excludes_degenerate_page<N>(const Simplex<N>&, Sign, SignStages&);  \
-  template Sign uniform_sign_of_discriminant<N>(const Simplex<N>&, SignStages&);    \
+#define TRIPLEX_INSTANTIATE(N)                                                     \
+  template Sign uniform_sign_of_p<N>(const Simplex<N>&, SignStages&);              \
+  template Sign uniform_sign_of_q<N>(const Simplex<N>&, SignStages&);              \
+  template bool excludes_degenerate_page<N>(const Simplex<N>&, Sign, SignStages&); \
+  template Sign uniform_sign_of_discriminant<N>(const Simplex<N>&, SignStages&);   \
   template bool excludes_spine<N>(const Simplex<N>&, SignStages&);
 TRIPLEX_INSTANTIATE(2)
 TRIPLEX_INSTANTIATE(3)

@@ -24,9 +24,9 @@ struct PositiveDefinite {
 
   template <class NT>
   Verdict operator()(const Forms<NT, 3>& f, const FormBounds& bounds) const {
-    // An entry of M is c_1 (4 values P) + c_2 (2 values Q): 2 + 1 + 1 roundings at most. With entries
-    // below m and errors below e the determinant moves by at most 4 (2 m e + e^2) + 4 (2 m e + e^2)
-    // and its own 5 roundings act on at most 4 m^2 + 4 m^2.
+    // An entry of M is c_1 (4 values P) + c_2 (2 values Q): 2 + 1 + 1 roundings at most. With
+    // entries below m and errors below e the determinant moves by at most 4 (2 m e + e^2) + 4 (2 m
+    // e + e^2) and its own 5 roundings act on at most 4 m^2 + 4 m^2.
     const double c1 = std::max(std::fabs(c[0]), std::fabs(c[2]));
     const double c2 = std::max(std::fabs(c[1]), std::fabs(c[3]));
     constexpr double kSlack = 1 + 0x1p-20;

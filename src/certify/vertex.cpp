@@ -9,7 +9,8 @@ namespace {
 
 /// 4 D = -(2 P^3 + 3 Q^2); the sign of D as one rung sees it.
 /// Error of the doubles: with |dP| <= a, |dQ| <= b the value moves by at most
-/// 2 (3 P^2 a + 3 |P| a^2 + a^3) + 3 (2 |Q| b + b^2); its 6 roundings add gamma(6) (2 |P|^3 + 3 Q^2).
+/// 2 (3 P^2 a + 3 |P| a^2 + a^3) + 3 (2 |Q| b + b^2); its 6 roundings add gamma(6) (2 |P|^3 + 3
+/// Q^2).
 double discriminant_error(double P, double Q, const FormBounds& bounds) {
   const double p = std::fabs(P), a = bounds.p_error, q = std::fabs(Q), b = bounds.q_error;
   constexpr double kSlack = 1 + 0x1p-20;  // the roundings of this very line
@@ -65,7 +66,8 @@ std::optional<Sector> sector_at(const RefinableField& field, VertexId v, SignSta
   if (*p) return *q ? Sector::InnerComplexLinear : Sector::InnerComplexPlanar;
 
   const auto real = is_positive(
-      vertex, [](const auto& P, const auto& Q, const FormBounds& b) { return discriminant(P, Q, b); },
+      vertex,
+      [](const auto& P, const auto& Q, const FormBounds& b) { return discriminant(P, Q, b); },
       stages);
   if (!real) return std::nullopt;
   if (*q) return *real ? Sector::RealLinear : Sector::OuterComplexLinear;

@@ -27,9 +27,9 @@ struct Corral {
   int size = 0;
 };
 
-/// Keeps the face of the corral nearest to the origin among those with the newest corner (the others
-/// were nearest before it came) and returns the nearest point. Faces whose nearest point is not
-/// inside are left to their own faces.
+/// Keeps the face of the corral nearest to the origin among those with the newest corner (the
+/// others were nearest before it came) and returns the nearest point. Faces whose nearest point is
+/// not inside are left to their own faces.
 Vector shrink_to_nearest(Corral& corral) {
   const Vector g = corral.points[corral.size - 1];
   Vector nearest = g;
@@ -60,8 +60,7 @@ Vector shrink_to_nearest(Corral& corral) {
 }
 
 Vector rounded(const Vector& v, double scale) {
-  return {few_bits(v[0] * scale), few_bits(v[1] * scale),
-          few_bits(v[2] * scale)};
+  return {few_bits(v[0] * scale), few_bits(v[1] * scale), few_bits(v[2] * scale)};
 }
 
 /// Direction with largest component one; a zero vector stays zero.
@@ -112,7 +111,8 @@ Vector separating_direction(std::span<const Vector> vectors) {
     corral.points[corral.size++] = corner;
     z = shrink_to_nearest(corral);
     const double norm = dot(z, z);
-    // At the origin, or no nearer than before: the hull holds the origin, as far as doubles can tell.
+    // At the origin, or no nearer than before: the hull holds the origin, as far as doubles can
+    // tell.
     if (norm < 1e-24 || norm >= last) return {};
     last = norm;
     std::tie(least, value) = support(z);

@@ -14,9 +14,11 @@ constexpr std::array<std::array<int, 3>, 4> kOutwardFaces = {
 constexpr std::array<std::array<int, 4>, 4> kEdgeNumber = {
     {{-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}}};
 /// Bit f: the edge lies on face f, that is, does not end at vertex f.
-constexpr std::array<std::uint8_t, 6> kFacesOfEdge = {0b1100, 0b1010, 0b0110, 0b1001, 0b0101, 0b0011};
+constexpr std::array<std::uint8_t, 6> kFacesOfEdge = {0b1100, 0b1010, 0b0110,
+                                                      0b1001, 0b0101, 0b0011};
 constexpr int kEdges = 6, kFacesOfCell = 4;
-constexpr int kNodes = kEdges + kFacesOfCell;  // per page: a crossing per edge, a spine point per face
+constexpr int kNodes =
+    kEdges + kFacesOfCell;  // per page: a crossing per edge, a spine point per face
 constexpr int spine_node(int face) { return kEdges + face; }
 
 /// Sorts the first `count` of the three edges of a face.
@@ -60,7 +62,8 @@ class CellTracer {
     return i < j ? edge->rotation : -edge->rotation;
   }
 
-  /// The windings of the four faces sum to zero; each +1 is paired with a -1, in order of the faces.
+  /// The windings of the four faces sum to zero; each +1 is paired with a -1, in order of the
+  /// faces.
   void find_spine(const FaceSpinePoints& spine_points) {
     std::array<int, 4> positive{}, negative{};
     int positives = 0, negatives = 0;
@@ -82,7 +85,8 @@ class CellTracer {
   /// The arcs of a page on one face, as successors along the oriented boundary of the patch.
   void trace_face(int face, Feature page, std::array<int, kNodes>& next) const {
     const auto local = outward(face);
-    std::array<int, 3> entering{}, leaving{};  // edges where the boundary enters the far side, leaves it
+    std::array<int, 3> entering{},
+        leaving{};  // edges where the boundary enters the far side, leaves it
     int entries = 0, exits = 0;
     for (int i = 0; i < 3; ++i) {
       const int a = local[i], b = local[(i + 1) % 3];

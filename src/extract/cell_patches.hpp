@@ -26,9 +26,9 @@ struct CellPatches {
   std::vector<std::array<PatchVertex, 2>> spine;  ///< arcs of the triple degenerate curve
 };
 
-/// The patches of a tet, by combinatorics alone: on each face an arc of a page joins the crossing that
-/// leaves the page's inner side to the one that enters it, or ends at the face's spine point; arcs
-/// chain to loops over the faces; arcs of the spine join the faces where it enters and leaves.
+/// The patches of a tet, by combinatorics alone: on each face an arc of a page joins the crossing
+/// that leaves the page's inner side to the one that enters it, or ends at the face's spine point;
+/// arcs chain to loops over the faces; arcs of the spine join the faces where it enters and leaves.
 /// Guarantee: neighbouring tets make the same arcs on their common face, certified or not, so the
 /// union is watertight. Source: proofs/cell.md.
 CellPatches patches_of(const Leaf& leaf, const std::vector<Sector>& labels,

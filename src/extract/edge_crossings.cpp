@@ -95,9 +95,8 @@ EdgeCrossings::EdgeCrossings(const RefinedComplex& complex, const std::vector<Se
 const CrossedEdge* EdgeCrossings::find(VertexId a, VertexId b) const {
   const auto begin = edges_.begin() + first_edge_[index(a)];
   const auto end = edges_.begin() + first_edge_[index(a) + 1];
-  const auto at = std::lower_bound(begin, end, b, [](const CrossedEdge& e, VertexId key) {
-    return e.ends[1] < key;
-  });
+  const auto at = std::lower_bound(
+      begin, end, b, [](const CrossedEdge& e, VertexId key) { return e.ends[1] < key; });
   return at != end && at->ends[1] == b ? &*at : nullptr;
 }
 

@@ -18,8 +18,8 @@ struct Crossing {
   double error = 1;  ///< the root is proven to lie within t +- error; 1 if nothing is proven
 };
 
-/// An edge of the refined mesh whose ends lie in different sectors. Its crossings are the pages between
-/// the sectors, in order from the lower to the higher end.
+/// An edge of the refined mesh whose ends lie in different sectors. Its crossings are the pages
+/// between the sectors, in order from the lower to the higher end.
 struct CrossedEdge {
   std::array<VertexId, 2> ends;  ///< ascending
   std::int8_t rotation = 0;      ///< pages crossed, positive counter-clockwise

@@ -35,13 +35,20 @@ class PageFunction {
 
   double operator()(double t) const {
     switch (page_) {
-      case Feature::NeutralComplex: return cubic(f_, t);
-      case Feature::NeutralReal: return -cubic(f_, t);
-      case Feature::BalancedLinear: return -quadratic(f_, t);
-      case Feature::BalancedPlanar: return quadratic(f_, t);
-      case Feature::DegenerateLinear: return page_height(quadratic(f_, t)) - cubic(f_, t);
-      case Feature::DegeneratePlanar: return -page_height(quadratic(f_, t)) - cubic(f_, t);
-      case Feature::TripleCurve: break;
+      case Feature::NeutralComplex:
+        return cubic(f_, t);
+      case Feature::NeutralReal:
+        return -cubic(f_, t);
+      case Feature::BalancedLinear:
+        return -quadratic(f_, t);
+      case Feature::BalancedPlanar:
+        return quadratic(f_, t);
+      case Feature::DegenerateLinear:
+        return page_height(quadratic(f_, t)) - cubic(f_, t);
+      case Feature::DegeneratePlanar:
+        return -page_height(quadratic(f_, t)) - cubic(f_, t);
+      case Feature::TripleCurve:
+        break;
     }
     return 0;
   }
@@ -54,10 +61,13 @@ class PageFunction {
     const double q_error = bounds_.q_error + gamma(9) * bounds_.q_magnitude;
     switch (page_) {
       case Feature::BalancedLinear:
-      case Feature::BalancedPlanar: return certainty((*this)(t), p_error);
+      case Feature::BalancedPlanar:
+        return certainty((*this)(t), p_error);
       case Feature::NeutralReal:
-      case Feature::NeutralComplex: return certainty((*this)(t), q_error);
-      default: break;
+      case Feature::NeutralComplex:
+        return certainty((*this)(t), q_error);
+      default:
+        break;
     }
     // The height is monotone in P; square root, quotient and products take 6 roundings each side.
     const double P = quadratic(f_, t), q = cubic(f_, t);
@@ -88,7 +98,8 @@ double solve(const F& f, double low, double high) {
   std::uintmax_t steps = 80;  // bisection alone needs 53
   const auto bracket = boost::math::tools::toms748_solve(
       f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(52), steps);
-  return std::fabs(f(bracket.first)) < std::fabs(f(bracket.second)) ? bracket.first : bracket.second;
+  return std::fabs(f(bracket.first)) < std::fabs(f(bracket.second)) ? bracket.first
+                                                                    : bracket.second;
 }
 
 /// The part of the edge on which p has the page's sign.
@@ -112,14 +123,16 @@ double certified_error(const PageFunction& f, double t, bool rising) {
   return 1;
 }
 
-/// Exact isolation of the page's polynomial on the unperturbed edge: the root on the page next to t.
+/// Exact isolation of the page's polynomial on the unperturbed edge: the root on the page next to
+/// t.
 std::optional<EdgeRoot> isolate(const Simplex<2>& edge, Feature page, double t) {
   const auto forms = forms_of<Exact, 2>(edge.exact_tensors());
   const RootIsolation p(std::span<const Exact>(forms.p)), q(std::span<const Exact>(forms.q));
   const auto sextic = [&] {
     auto d = minus_discriminant(forms);
     // Bernstein coefficients times 60, the least common multiple of the multinomials 1, 6, 15, 20.
-    for (std::size_t n = 0; n < d.size(); ++n) d[n] = d[n] * Exact(60 / kMonomials<2, 6>.multinomial[n]);
+    for (std::size_t n = 0; n < d.size(); ++n)
+      d[n] = d[n] * Exact(60 / kMonomials<2, 6>.multinomial[n]);
     return RootIsolation(std::span<const Exact>(d));
   };
   const Sheet sheet = row(page).sheet;

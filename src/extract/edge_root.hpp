@@ -13,9 +13,9 @@ struct EdgeRoot {
   double error = 1;  ///< proven |t - root| <= error; 1 if nothing is proven
 };
 
-/// Where a page crosses an edge. `rising`: the angle of (p, q) grows along the edge at the crossing.
-/// The approximation comes from doubles (TOMS 748); its bracket is then certified by the filter, and
-/// by exact root isolation where the filter leaves it wider than kWidestBracket.
+/// Where a page crosses an edge. `rising`: the angle of (p, q) grows along the edge at the
+/// crossing. The approximation comes from doubles (TOMS 748); its bracket is then certified by the
+/// filter, and by exact root isolation where the filter leaves it wider than kWidestBracket.
 /// Guarantee: where the page crosses the edge once, the crossing lies within `error` of t.
 EdgeRoot find_crossing(const Simplex<2>& edge, Feature page, bool rising);
 

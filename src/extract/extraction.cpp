@@ -16,8 +16,8 @@
 namespace triplex {
 namespace {
 
-/// Refinement may add this many tets per tet of the input, and this many in any case; more would not
-/// fit the memory of an ordinary machine for inputs of a few million tets.
+/// Refinement may add this many tets per tet of the input, and this many in any case; more would
+/// not fit the memory of an ordinary machine for inputs of a few million tets.
 constexpr std::size_t kGrowth = 4;
 constexpr std::size_t kRoom = 4'000'000;
 
@@ -35,7 +35,8 @@ class Stopwatch {
 };
 
 /// A sector for every vertex. Where certification left it open the doubles choose, zero counting as
-/// positive: one choice for all tets around, so the mesh stays watertight; they are all open anyway.
+/// positive: one choice for all tets around, so the mesh stays watertight; they are all open
+/// anyway.
 std::vector<Sector> labels_of(const RefinedComplex& complex) {
   std::vector<Sector> labels(complex.sectors.size());
   for (std::size_t v = 0; v < labels.size(); ++v) {
@@ -46,7 +47,7 @@ std::vector<Sector> labels_of(const RefinedComplex& complex) {
     const Simplex<1> vertex(complex.field, {VertexId(v)});
     const double P = vertex.approximate().p[0], Q = vertex.approximate().q[0];
     const bool real = 2 * P * P * P + 3 * Q * Q < 0;
-    labels[v] = P >= 0 ? (Q >= 0 ? Sector::InnerComplexLinear : Sector::InnerComplexPlanar)
+    labels[v] = P >= 0   ? (Q >= 0 ? Sector::InnerComplexLinear : Sector::InnerComplexPlanar)
                 : Q >= 0 ? (real ? Sector::RealLinear : Sector::OuterComplexLinear)
                          : (real ? Sector::RealPlanar : Sector::OuterComplexPlanar);
   }
@@ -60,7 +61,8 @@ std::vector<std::uint32_t> active_leaves(const RefinedComplex& complex,
   for (std::size_t n = 0; n < complex.leaves.size(); ++n) {
     const auto& v = complex.leaves[n].vertices;
     const Sector first = labels[index(v[0])];
-    if (labels[index(v[1])] != first || labels[index(v[2])] != first || labels[index(v[3])] != first)
+    if (labels[index(v[1])] != first || labels[index(v[2])] != first ||
+        labels[index(v[3])] != first)
       active.push_back(static_cast<std::uint32_t>(n));
   }
   return active;
@@ -121,14 +123,14 @@ std::vector<UnresolvedTet> unresolved_tets(const TensorField& input, const Refin
     const std::int64_t source = input.source_cells.empty()
                                     ? static_cast<std::int64_t>(index(tet.tet))
                                     : input.source_cells[index(tet.tet)];
-    const std::string limit = complex.hit_size_limit
-                                  ? std::string("the refined mesh reached its size limit")
-                                  : fmt::format("budget of {} bisections spent", options.max_bisections);
+    const std::string limit =
+        complex.hit_size_limit
+            ? std::string("the refined mesh reached its size limit")
+            : fmt::format("budget of {} bisections spent", options.max_bisections);
     result.push_back({source, tet.features, fmt::format("{}; {}", describe(tet.obstacle), limit)});
   }
-  std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
-    return a.source_cell < b.source_cell;
-  });
+  std::stable_sort(result.begin(), result.end(),
+                   [](const auto& a, const auto& b) { return a.source_cell < b.source_cell; });
   return result;
 }
 
@@ -170,7 +172,8 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
   result.refinement = {complex.rounds, complex.bisections, complex.leaves.size()};
   result.unresolved = unresolved_tets(field, complex, options);
   for (const Crossing& c : crossings.crossings())
-    if (c.error < 1) result.largest_crossing_error = std::max(result.largest_crossing_error, c.error);
+    if (c.error < 1)
+      result.largest_crossing_error = std::max(result.largest_crossing_error, c.error);
   result.timing.extract_s = watch.lap();
   return result;
 }
@@ -178,8 +181,8 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
 }  // namespace
 
 Extraction extract(const TensorField& field, const ExtractionOptions& options) {
-  // The filters need round-to-nearest and denormals in every thread, whatever the host program has set: an
-  // arena hands the floating-point settings of its creation to its workers.
+  // The filters need round-to-nearest and denormals in every thread, whatever the host program has
+  // set: an arena hands the floating-point settings of its creation to its workers.
   return with_fp_environment([&] {
     tbb::task_arena arena(options.threads > 0 ? static_cast<int>(options.threads)
                                               : tbb::task_arena::automatic);

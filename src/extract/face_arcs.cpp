@@ -117,8 +117,9 @@ FaceSpinePoints::FaceSpinePoints(const RefinedComplex& complex,
 }
 
 int FaceSpinePoints::find(const std::array<VertexId, 3>& face) const {
-  const auto at = std::lower_bound(points_.begin(), points_.end(), face,
-                                   [](const SpinePoint& p, const auto& key) { return p.face < key; });
+  const auto at =
+      std::lower_bound(points_.begin(), points_.end(), face,
+                       [](const SpinePoint& p, const auto& key) { return p.face < key; });
   return at != points_.end() && at->face == face ? static_cast<int>(at - points_.begin()) : -1;
 }
 

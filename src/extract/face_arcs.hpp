@@ -14,7 +14,7 @@ namespace triplex {
 struct SpinePoint {
   std::array<VertexId, 3> face;         ///< ascending
   std::array<double, 3> barycentric{};  ///< of the point p = q = 0
-  bool converged = false;               ///< Newton's iteration reached rounding level inside the face
+  bool converged = false;  ///< Newton's iteration reached rounding level inside the face
 };
 
 /// All faces of active tets around which (p, q) winds, each once, with their points.
@@ -31,8 +31,8 @@ class FaceSpinePoints {
   std::vector<SpinePoint> points_;
 };
 
-/// How often (p, q) winds around the origin along the boundary of a face a -> b -> c -> a: the sum of the
-/// rotations over six; -1, 0 or 1.
+/// How often (p, q) winds around the origin along the boundary of a face a -> b -> c -> a: the sum
+/// of the rotations over six; -1, 0 or 1.
 int winding(const EdgeCrossings& crossings, VertexId a, VertexId b, VertexId c);
 
 }  // namespace triplex

@@ -38,16 +38,21 @@ std::array<double, 2> invariants_on_edge(const RefinableField& field, const Cros
 std::array<double, 3> on_feature(Feature feature, double p, double q) {
   const double w = std::sqrt(std::fmax(0, -p) / 3);
   switch (row(feature).sheet) {
-    case Sheet::Balanced: return {0, q, std::numeric_limits<double>::infinity()};
-    case Sheet::Neutral: return {p, 0, 0};
-    case Sheet::DegenerateLinear: return {p, 2 * w * w * w, 1};
-    case Sheet::DegeneratePlanar: return {p, -2 * w * w * w, 1};
+    case Sheet::Balanced:
+      return {0, q, std::numeric_limits<double>::infinity()};
+    case Sheet::Neutral:
+      return {p, 0, 0};
+    case Sheet::DegenerateLinear:
+      return {p, 2 * w * w * w, 1};
+    case Sheet::DegeneratePlanar:
+      return {p, -2 * w * w * w, 1};
   }
   return {p, q, 0};
 }
-/// The vertex from which a loop is fanned. It must not depend on where the loop starts or which way it runs.
-/// No diagonal should lie in a face of the tet, where a neighbour might use it too (this can only
-/// happen in open tets, where a page may have two arcs on a face); then a spine point; then the lowest.
+/// The vertex from which a loop is fanned. It must not depend on where the loop starts or which way
+/// it runs. No diagonal should lie in a face of the tet, where a neighbour might use it too (this
+/// can only happen in open tets, where a page may have two arcs on a face); then a spine point;
+/// then the lowest.
 std::size_t apex_of(const PatchLoop& loop) {
   const std::size_t n = loop.size();
   const auto rank = [&](std::size_t i) {
@@ -171,7 +176,8 @@ Point FeatureMeshBuilder::position(const PatchVertex& v) const {
   return crossings_.position(complex_, edge_of_[v.number], crossings_.crossings()[v.number]);
 }
 
-void FeatureMeshBuilder::add_vertex(Feature feature, const PatchVertex& v, FeatureMesh& mesh) const {
+void FeatureMeshBuilder::add_vertex(Feature feature, const PatchVertex& v,
+                                    FeatureMesh& mesh) const {
   std::array<double, 3> values = kOnSpine;
   if (!v.on_spine) {
     const auto [p, q] = invariants_on_edge(complex_.field, crossings_.edges()[edge_of_[v.number]],

@@ -31,10 +31,10 @@ int common_scale(const std::vector<Tensor<double>>& tensors) {
 /// What scaling down may lose: one rounding below the smallest normal double, tripled and summed.
 constexpr double kUnderflow = 0x1p-1070;
 
-/// With A' the exact result and M its largest entry, t_xx - t_yy = (A'_xx - A'_yy) / 3 is below 2 M / 3, and
-/// so is t_xx - t_zz: rounding them and their sum costs at most u (2/3 + 2/3 + 1) M and second-order
-/// terms; off the diagonal u M. So the error is below gamma(3) M, whatever the trace is, and below
-/// gamma(4) times the largest computed entry.
+/// With A' the exact result and M its largest entry, t_xx - t_yy = (A'_xx - A'_yy) / 3 is below 2 M
+/// / 3, and so is t_xx - t_zz: rounding them and their sum costs at most u (2/3 + 2/3 + 1) M and
+/// second-order terms; off the diagonal u M. So the error is below gamma(3) M, whatever the trace
+/// is, and below gamma(4) times the largest computed entry.
 ApproximateTensor approximate_input(const Tensor<double>& tensor, int exponent) {
   Tensor<double> scaled;
   for (int i = 0; i < 9; ++i) scaled[i] = std::ldexp(tensor[i], exponent);
@@ -114,8 +114,8 @@ std::optional<VertexId> RefinableField::add_midpoint(VertexId a, VertexId b) {
     for (int i = 0; i < 4; ++i) {
       if (end.numerators[i] == 0) continue;
       const std::uint64_t n = end.numerators[i] << (middle.depth - 1 - end.depth);
-      const auto known = std::find(middle.vertices.begin(), middle.vertices.begin() + used,
-                                   end.vertices[i]);
+      const auto known =
+          std::find(middle.vertices.begin(), middle.vertices.begin() + used, end.vertices[i]);
       const auto slot = known - middle.vertices.begin();
       if (slot == used) middle.vertices[used++] = end.vertices[i];
       middle.numerators[slot] += n;

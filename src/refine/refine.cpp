@@ -44,20 +44,21 @@ class Refinement {
     const auto& tets = complex_.field.input_tets();
     complex_.leaves.resize(tets.size());
     pending_.resize(tets.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tets.size(), 4096), [&](const auto& range) {
-      for (std::size_t t = range.begin(); t < range.end(); ++t) {
-        Leaf leaf{.vertices = tets[t], .input = TetId(t)};
-        auto& v = leaf.vertices;
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3 - i; ++j)
-            if (v[j + 1] < v[j]) {
-              std::swap(v[j], v[j + 1]);
-              leaf.flipped = !leaf.flipped;
-            }
-        complex_.leaves[t] = leaf;
-        pending_[t] = static_cast<std::uint32_t>(t);
-      }
-    });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tets.size(), 4096),
+                      [&](const auto& range) {
+                        for (std::size_t t = range.begin(); t < range.end(); ++t) {
+                          Leaf leaf{.vertices = tets[t], .input = TetId(t)};
+                          auto& v = leaf.vertices;
+                          for (int i = 0; i < 3; ++i)
+                            for (int j = 0; j < 3 - i; ++j)
+                              if (v[j + 1] < v[j]) {
+                                std::swap(v[j], v[j + 1]);
+                                leaf.flipped = !leaf.flipped;
+                              }
+                          complex_.leaves[t] = leaf;
+                          pending_[t] = static_cast<std::uint32_t>(t);
+                        }
+                      });
   }
 
   /// Labels the vertices that have none yet.
@@ -65,14 +66,14 @@ class Refinement {
     const std::size_t first = complex_.sectors.size();
     const std::size_t count = complex_.field.vertex_count();
     complex_.sectors.resize(count, kOpenSector);
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(first, count, kGrain), [&](const auto& range) {
-          SignStages& stages = stages_.local();
-          for (std::size_t v = range.begin(); v < range.end(); ++v) {
-            const auto sector = sector_at(complex_.field, VertexId(v), stages);
-            if (sector) complex_.sectors[v] = static_cast<std::uint8_t>(*sector);
-          }
-        });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(first, count, kGrain),
+                      [&](const auto& range) {
+                        SignStages& stages = stages_.local();
+                        for (std::size_t v = range.begin(); v < range.end(); ++v) {
+                          const auto sector = sector_at(complex_.field, VertexId(v), stages);
+                          if (sector) complex_.sectors[v] = static_cast<std::uint8_t>(*sector);
+                        }
+                      });
   }
 
   /// Certifies the pending tets; returns the edges that open ones ask to bisect.
@@ -81,16 +82,19 @@ class Refinement {
     for (std::size_t start = 0; start < pending_.size(); start += kSlice) {
       if (options_.interrupted && options_.interrupted->load()) throw RefinementInterrupted{};
       const std::size_t end = std::min(start + kSlice, pending_.size());
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(start, end, kGrain), [&](const auto& range) {
-        SignStages& stages = stages_.local();
-        for (std::size_t n = range.begin(); n < range.end(); ++n) wishes_[n] = certify(n, stages);
-      });
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(start, end, kGrain),
+                        [&](const auto& range) {
+                          SignStages& stages = stages_.local();
+                          for (std::size_t n = range.begin(); n < range.end(); ++n)
+                            wishes_[n] = certify(n, stages);
+                        });
       if (options_.progress) options_.progress(progress(end));
     }
     return collect_marks();
   }
   double progress(std::size_t done) const {
-    return complex_.rounds > 0 ? -1 : static_cast<double>(done) / static_cast<double>(pending_.size());
+    return complex_.rounds > 0 ? -1
+                               : static_cast<double>(done) / static_cast<double>(pending_.size());
   }
 
   Mark certify(std::size_t n, SignStages& stages) {

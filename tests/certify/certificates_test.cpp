@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Triplex authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Soundness of the certificates: what they claim about a whole simplex is held against dense sampling,
-// on random linear fields that vary a lot or a little.
+// Soundness of the certificates: what they claim about a whole simplex is held against dense
+// sampling, on random linear fields that vary a lot or a little.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,14 +17,16 @@
 namespace triplex {
 namespace {
 
-/// Values nearer to zero than this, relative to the tensor's size, say nothing (sampling is in doubles).
+/// Values nearer to zero than this, relative to the tensor's size, say nothing (sampling is in
+/// doubles).
 constexpr double kBlur = 1e-11;
 
 struct Sample {
   double p, q;
 };
 
-/// A random tet: a tensor plus a variation of relative size `spread`, so that certificates succeed often.
+/// A random tet: a tensor plus a variation of relative size `spread`, so that certificates succeed
+/// often.
 class RandomTet {
  public:
   RandomTet(std::mt19937_64& random, double spread) {
@@ -63,10 +65,14 @@ class RandomTet {
 double sheet_value(Sheet sheet, const Sample& s) {
   const double v = std::sqrt(std::fmax(0, -s.p) / 6);
   switch (sheet) {
-    case Sheet::Balanced: return s.p;
-    case Sheet::Neutral: return s.q;
-    case Sheet::DegenerateLinear: return s.q - 12 * v * v * v;
-    case Sheet::DegeneratePlanar: return s.q + 12 * v * v * v;
+    case Sheet::Balanced:
+      return s.p;
+    case Sheet::Neutral:
+      return s.q;
+    case Sheet::DegenerateLinear:
+      return s.q - 12 * v * v * v;
+    case Sheet::DegeneratePlanar:
+      return s.q + 12 * v * v * v;
   }
   return 0;
 }
@@ -85,12 +91,13 @@ void for_lattice(const F& f) {
       }
 }
 std::array<double, 4> weights_of(const std::array<int, 4>& n) {
-  return {n[0] / double(kSteps), n[1] / double(kSteps), n[2] / double(kSteps), n[3] / double(kSteps)};
+  return {n[0] / double(kSteps), n[1] / double(kSteps), n[2] / double(kSteps),
+          n[3] / double(kSteps)};
 }
 
 struct Counts {
-  int p = 0, q = 0, degenerate = 0, discriminant = 0, spine = 0, graph = 0, injective = 0, monotone = 0,
-      one_root = 0;
+  int p = 0, q = 0, degenerate = 0, discriminant = 0, spine = 0, graph = 0, injective = 0,
+      monotone = 0, one_root = 0;
 };
 
 class CertificateTest : public testing::Test {
@@ -139,8 +146,9 @@ TEST_F(CertificateTest, UniformSignsHoldOnTheLattice) {
   EXPECT_GT(counts.discriminant, kTets / 8);
 }
 
-/// Without the page, no two samples of the quadrant p < 0, s q > 0 lie on its two sides with a straight
-/// path between them inside the quadrant; neighbours in the lattice are such pairs where it is fine.
+/// Without the page, no two samples of the quadrant p < 0, s q > 0 lie on its two sides with a
+/// straight path between them inside the quadrant; neighbours in the lattice are such pairs where
+/// it is fine.
 TEST_F(CertificateTest, ExcludedDegeneratePagesSeparateNoNeighbours) {
   Counts counts;
   for_random_tets([&](const RefinableField& field, const std::array<VertexId, 4>& v) {
@@ -328,8 +336,8 @@ TEST_F(CertificateTest, GraphSheetsHideNoClosedComponents) {
   EXPECT_GT(counts.graph, kTets);
 }
 
-/// A = S + x R_x + y R_y + z R_z with rotations R and S = diag(a, -a, 0): p = |x|^2 - a^2, a sphere that the
-/// faces of the tet do not see.
+/// A = S + x R_x + y R_y + z R_z with rotations R and S = diag(a, -a, 0): p = |x|^2 - a^2, a sphere
+/// that the faces of the tet do not see.
 TEST(HiddenSphere, IsNeitherExcludedNorCertified) {
   TensorField field;
   field.mesh.points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
@@ -342,7 +350,8 @@ TEST(HiddenSphere, IsNeitherExcludedNorCertified) {
   const Simplex<4> simplex(refinable, v);
   SignStages stages;
   EXPECT_LT(RandomTet::at(refinable, v, {0.25, 0.25, 0.25, 0.25}).p, 0);
-  for (int i = 0; i < 4; ++i) EXPECT_EQ(sign_p(*sector_at(refinable, v[i], stages)), Sign::Positive);
+  for (int i = 0; i < 4; ++i)
+    EXPECT_EQ(sign_p(*sector_at(refinable, v[i], stages)), Sign::Positive);
   EXPECT_EQ(uniform_sign_of_p(simplex, stages), Sign::Zero);
   EXPECT_FALSE(certifies_graph(simplex, Sheet::Balanced, stages));
 }

@@ -83,8 +83,8 @@ TEST(ExtractionLaws, ScalingByPowersOfTwoChangesNothing) {
   }
 }
 
-/// Features of -A are those of A with linear and planar exchanged. On a generic field, as -(A + eps B) is
-/// not -A + eps B.
+/// Features of -A are those of A with linear and planar exchanged. On a generic field, as -(A + eps
+/// B) is not -A + eps B.
 TEST(ExtractionLaws, NegationExchangesLinearAndPlanar) {
   GridOptions grid;
   grid.n = 5;
@@ -103,8 +103,9 @@ TEST(ExtractionLaws, NegationExchangesLinearAndPlanar) {
   EXPECT_EQ(a.unresolved.size(), b.unresolved.size());
 }
 
-/// Transposition permutes the terms of the sums, so roundings differ; what is certified does not. On a generic
-/// field, as (A + eps B)^T is not A^T + eps B, and symmetric ones have ties between edges to bisect.
+/// Transposition permutes the terms of the sums, so roundings differ; what is certified does not.
+/// On a generic field, as (A + eps B)^T is not A^T + eps B, and symmetric ones have ties between
+/// edges to bisect.
 TEST(ExtractionLaws, TranspositionKeepsTheFeatures) {
   GridOptions grid;
   grid.n = 5;

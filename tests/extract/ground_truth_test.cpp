@@ -127,8 +127,8 @@ Topology topology_of(const FeatureMesh& mesh) {
   return {t.components, t.boundary_loops, t.euler};
 }
 
-/// A linear field has one answer whatever the mesh: wherever a feature is certified throughout on two
-/// meshes, its topology is the same on both.
+/// A linear field has one answer whatever the mesh: wherever a feature is certified throughout on
+/// two meshes, its topology is the same on both.
 TEST(SameFieldOnOtherMeshes, HasTheSameTopology) {
   struct MeshKind {
     int n;
@@ -157,7 +157,8 @@ TEST(SameFieldOnOtherMeshes, HasTheSameTopology) {
         if (!test::certified(result, static_cast<Feature>(f))) continue;
         const Topology t = topology_of(result.features[f]);
         if (known[f]) {
-          EXPECT_EQ(*known[f], t) << feature_table()[f].name << ", seed " << seed << ", n " << kind.n;
+          EXPECT_EQ(*known[f], t) << feature_table()[f].name << ", seed " << seed << ", n "
+                                  << kind.n;
           ++compared;
         }
         known[f] = t;

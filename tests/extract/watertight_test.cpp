@@ -72,12 +72,12 @@ TEST_P(WatertightTest, PagesEndOnTheDomainAndOnTheSpineOnly) {
       if (spine.count(ends_of(x, y))) {
         ++on_spine;
       } else {
-        EXPECT_TRUE(both_on_one_side(x, y, box))
-            << feature_table()[page].name << " has a crack at " << x[0] << " " << x[1] << " " << x[2];
+        EXPECT_TRUE(both_on_one_side(x, y, box)) << feature_table()[page].name << " has a crack at "
+                                                 << x[0] << " " << x[1] << " " << x[2];
       }
     }
-    // Every page is attached to all of the spine. (More only where coordinates coincide: in symmetric
-    // fields on regular grids distinct vertices may round to one point.)
+    // Every page is attached to all of the spine. (More only where coordinates coincide: in
+    // symmetric fields on regular grids distinct vertices may round to one point.)
     EXPECT_GE(on_spine, curve.segments.size()) << feature_table()[page].name;
     if (GetParam().generic) {
       EXPECT_EQ(on_spine, curve.segments.size()) << feature_table()[page].name;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Triplex authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Nothing missed: in every certified tet, the domain at each point of a dense lattice is one that the labels
-// and rotations of the tet allow.
+// Nothing missed: in every certified tet, the domain at each point of a dense lattice is one that
+// the labels and rotations of the tet allow.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,11 +18,13 @@ namespace {
 
 constexpr unsigned kAllSectors = 0x3f;
 
-/// The sectors that occur in a certified tet: those along its edges' ways around the origin, and all six if
-/// the spine passes through.
+/// The sectors that occur in a certified tet: those along its edges' ways around the origin, and
+/// all six if the spine passes through.
 unsigned allowed_sectors(const RefinedComplex& complex, const Leaf& leaf) {
   SignStages stages;
-  const auto sector = [&](int i) { return static_cast<Sector>(complex.sectors[index(leaf.vertices[i])]); };
+  const auto sector = [&](int i) {
+    return static_cast<Sector>(complex.sectors[index(leaf.vertices[i])]);
+  };
   std::array<std::array<int, 4>, 4> rotation{};
   unsigned allowed = 0;
   for (int i = 0; i < 4; ++i)

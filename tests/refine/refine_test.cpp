@@ -63,8 +63,8 @@ TEST(Refine, MeshIsConformingAndOriented) {
       std::array<double, 3> at;
       for (int i = 0; i < 3; ++i) at[i] = c.field.position(face[i])[k];
       const double hi = k == 0 ? 2 : 1;
-      on_side |= (at[0] == 0 && at[1] == 0 && at[2] == 0) ||
-                 (at[0] == hi && at[1] == hi && at[2] == hi);
+      on_side |=
+          (at[0] == 0 && at[1] == 0 && at[2] == 0) || (at[0] == hi && at[1] == hi && at[2] == hi);
     }
     EXPECT_TRUE(on_side);
   }

@@ -11,16 +11,14 @@ inline constexpr double kRoundoff = 0x1p-53;
 
 /// gamma(n) bounds the relative error of n roundings: n u / (1 - n u). The factor 1 + 2^-20 also
 /// covers the roundings of the bound's own evaluation, a handful of operations in doubles.
-constexpr double gamma(int n) {
-  return n * kRoundoff / (1 - n * kRoundoff) * (1 + 0x1p-20);
-}
+constexpr double gamma(int n) { return n * kRoundoff / (1 - n * kRoundoff) * (1 + 0x1p-20); }
 
 /// Below this magnitude of the tensor entries the filters step aside: products of six entries would
 /// come near the underflow threshold, 6 * 150 + 53 < 1022, where roundings are no longer relative.
 inline constexpr double kSmallestFiltered = 0x1p-150;
 
-/// What is known of the doubles that stand for exact tensors: |fl(a)| <= magnitude for every entry and
-/// |fl(a) - a| <= error. Filters are valid when `usable`.
+/// What is known of the doubles that stand for exact tensors: |fl(a)| <= magnitude for every entry
+/// and |fl(a) - a| <= error. Filters are valid when `usable`.
 struct EntryBounds {
   double magnitude = 0;
   double error = 0;
@@ -32,9 +30,10 @@ struct EntryBounds {
   }
 };
 
-/// Bounds on the Bernstein coefficients P = -tr(A_i A_j) and Q = M(A_i, A_j) : A_k computed in doubles
-/// by `forms_of` from entries with |a| <= M and error e.
-///   P: nine products, each with at most 9 roundings:            |P| <= 9 M^2, error <= 9 gamma(9) M^2
+/// Bounds on the Bernstein coefficients P = -tr(A_i A_j) and Q = M(A_i, A_j) : A_k computed in
+/// doubles by `forms_of` from entries with |a| <= M and error e.
+///   P: nine products, each with at most 9 roundings:            |P| <= 9 M^2, error <= 9 gamma(9)
+///   M^2
 ///      plus 9 ((M+e)^2 - M^2) <= 9 (2 + 2^-10) M e for the entries.
 ///   Q: 9 x 4 triple products, each with at most 3 + 1 + 8 = 12 roundings: |Q| <= 36 M^3,
 ///      error <= 36 gamma(12) M^3, plus 36 ((M+e)^3 - M^3) <= 36 (3 + 2^-8) M^2 e.

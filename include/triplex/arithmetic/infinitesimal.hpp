@@ -16,9 +16,9 @@ template <int K>
 class Series {
  public:
   Series() = default;
-  Series(int c) { c_[0] = Exact(c); }                                   // NOLINT: ring constants
-  Series(double c) { c_[0] = Exact(c); }                                // NOLINT
-  Series(const Exact& c) { c_[0] = c; }                                 // NOLINT
+  Series(int c) { c_[0] = Exact(c); }     // NOLINT: ring constants
+  Series(double c) { c_[0] = Exact(c); }  // NOLINT
+  Series(const Exact& c) { c_[0] = c; }   // NOLINT
   Series(const Exact& c, const Exact& first_order) {
     c_[0] = c;
     c_[1] = first_order;
@@ -56,15 +56,16 @@ class Series {
   std::array<Exact, K> c_;
 };
 
-/// Enough coefficients for every test on a simplex with N vertices to be kept whole: tests have degree
-/// six in the tensor (the discriminant), on an edge sixteen (q at the root of p).
+/// Enough coefficients for every test on a simplex with N vertices to be kept whole: tests have
+/// degree six in the tensor (the discriminant), on an edge sixteen (q at the root of p).
 template <int N>
 using Perturbed = Series<N == 2 ? 17 : 7>;
 
-/// The direction B of the perturbation T + eps B. Translations by a constant tensor act transitively
-/// on tensors, so for almost every B the perturbed field is transverse to all strata on every
-/// simplex; this one was drawn once (integers below 2^10) and is part of the meaning of the output.
-/// It has no symmetry and a trace. Source: proofs/perturbation.md.
-inline constexpr std::array<int, 9> kPerturbation = {617, -283, 431, 149, -907, 761, -359, 523, 211};
+/// The direction B of the perturbation T + eps B. Translations by a constant tensor act
+/// transitively on tensors, so for almost every B the perturbed field is transverse to all strata
+/// on every simplex; this one was drawn once (integers below 2^10) and is part of the meaning of
+/// the output. It has no symmetry and a trace. Source: proofs/perturbation.md.
+inline constexpr std::array<int, 9> kPerturbation = {617, -283, 431, 149, -907,
+                                                     761, -359, 523, 211};
 
 }  // namespace triplex

@@ -6,7 +6,8 @@
 
 namespace triplex {
 
-/// The sign of a real number that decides something. `Zero` is a proven zero, never "too close to tell".
+/// The sign of a real number that decides something. `Zero` is a proven zero, never "too close to
+/// tell".
 enum class Sign : std::int8_t { Negative = -1, Zero = 0, Positive = 1 };
 
 constexpr Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)); }
@@ -17,8 +18,8 @@ constexpr Sign operator*(Sign a, Sign b) {
 /// The rung of the sign ladder that decided: double filter, interval, exact.
 enum class Stage : std::uint8_t { Filter, Interval, Exact };
 
-/// How many decisions each rung took (additive, so per-thread counts can be summed in any order), and how
-/// far a decision may climb: certificates are tried on the cheap rungs first.
+/// How many decisions each rung took (additive, so per-thread counts can be summed in any order),
+/// and how far a decision may climb: certificates are tried on the cheap rungs first.
 struct SignStages {
   std::uint64_t filter = 0;
   std::uint64_t interval = 0;

@@ -9,8 +9,8 @@
 namespace triplex {
 
 /// Homogeneous polynomials in the N barycentric coordinates, by degree: exponents in lexicographic
-/// order of the descending first exponent. `multinomial` turns a monomial's coefficient into a Bernstein
-/// coefficient (divide by it).
+/// order of the descending first exponent. `multinomial` turns a monomial's coefficient into a
+/// Bernstein coefficient (divide by it).
 template <int N, int Degree>
 struct Monomials {
   static constexpr int count() {

@@ -10,9 +10,9 @@ namespace triplex {
 
 /// Number of Bernstein coefficients of degree 2 and 3 on a simplex with N vertices.
 template <int N>
-inline constexpr int kPairs = N * (N + 1) / 2;
+inline constexpr int kPairs = N*(N + 1) / 2;
 template <int N>
-inline constexpr int kTriples = N * (N + 1) * (N + 2) / 6;
+inline constexpr int kTriples = N*(N + 1) * (N + 2) / 6;
 
 namespace detail {
 
@@ -47,13 +47,21 @@ inline constexpr IndexTables<N> kTables{};
 /// Position of the coefficient with vertex indices i, j (, k) in any order; and back, ascending.
 /// Order: lexicographic in i <= j <= k, so (0,0), (0,1), ... and (0,0,0), (0,0,1), ... .
 template <int N>
-constexpr int pair_index(int i, int j) { return detail::kTables<N>.pair[i][j]; }
+constexpr int pair_index(int i, int j) {
+  return detail::kTables<N>.pair[i][j];
+}
 template <int N>
-constexpr int triple_index(int i, int j, int k) { return detail::kTables<N>.triple[i][j][k]; }
+constexpr int triple_index(int i, int j, int k) {
+  return detail::kTables<N>.triple[i][j][k];
+}
 template <int N>
-constexpr const auto& pairs() { return detail::kTables<N>.pairs; }
+constexpr const auto& pairs() {
+  return detail::kTables<N>.pairs;
+}
 template <int N>
-constexpr const auto& triples() { return detail::kTables<N>.triples; }
+constexpr const auto& triples() {
+  return detail::kTables<N>.triples;
+}
 
 /// The invariants p and q of a linear tensor field on a simplex with N vertices, as Bernstein
 /// coefficients of degree two and three, free of division: with A' = 3A the tripled deviator,
@@ -99,7 +107,8 @@ NT minus_trace_of_product(const Tensor<NT>& a, const Tensor<NT>& b) {
 
 /// The forms of a simplex from the tripled deviators at its vertices, by polarisation:
 /// P_ij = -tr(A_i A_j), Q_ijk = M(A_i, A_j) : A_k with i <= j <= k and M the mixed cofactor.
-/// Each coefficient depends on its own vertices only, so a face gets the same numbers from both sides.
+/// Each coefficient depends on its own vertices only, so a face gets the same numbers from both
+/// sides.
 template <class NT, int N>
 Forms<NT, N> forms_of(const std::array<Tensor<NT>, N>& a) {
   Forms<NT, N> f;

@@ -21,8 +21,9 @@ Tensor<NT> triple_deviator(const Tensor<NT>& t) {
   const NT yy = t[4] - t[0] + (t[4] - t[8]);
   const NT zz = t[8] - t[0] + (t[8] - t[4]);
   const NT three(3);
-  return {xx,           three * t[1], three * t[2], three * t[3], yy,
-          three * t[5], three * t[6], three * t[7], zz};
+  return {xx,           three * t[1], three * t[2],
+          three * t[3], yy,           three * t[5],
+          three * t[6], three * t[7], zz};
 }
 
 }  // namespace triplex

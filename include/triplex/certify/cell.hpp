@@ -28,8 +28,8 @@ std::string_view describe(Obstacle obstacle);
 /// What is proven about one tet, and where to bisect it if that is not enough.
 struct CellCertificate {
   FeatureSet excluded = 0;  ///< requested features proven absent
-  FeatureSet graph = 0;     ///< requested features proven to be discs (or one arc) fixed by the labels
-  FeatureSet open = 0;      ///< requested features not proven
+  FeatureSet graph = 0;  ///< requested features proven to be discs (or one arc) fixed by the labels
+  FeatureSet open = 0;   ///< requested features not proven
   bool has_spine_proof = false;
   Obstacle obstacle = Obstacle::None;
   std::array<VertexId, 2> edge{};  ///< the edge to bisect, if `obstacle` is not None or Vertex

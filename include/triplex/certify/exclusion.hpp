@@ -6,24 +6,25 @@
 
 namespace triplex {
 
-/// Exclusion certificates: proofs that a feature has no point on a closed simplex. Each passes on to
-/// every sub-simplex. N = 2, 3, 4 vertices. Statement and proofs: proofs/exclusion.md.
+/// Exclusion certificates: proofs that a feature has no point on a closed simplex. Each passes on
+/// to every sub-simplex. N = 2, 3, 4 vertices. Statement and proofs: proofs/exclusion.md.
 
-/// The common sign of all Bernstein coefficients of p (of q): then p (q) has that sign on the simplex.
-/// Zero: not proven.
+/// The common sign of all Bernstein coefficients of p (of q): then p (q) has that sign on the
+/// simplex. Zero: not proven.
 template <int N>
 Sign uniform_sign_of_p(const Simplex<N>& simplex, SignStages& stages);
 template <int N>
 Sign uniform_sign_of_q(const Simplex<N>& simplex, SignStages& stages);
 
-/// No point of the degenerate page q = s 2 w^3, p <= 0 (s = +1 linear, -1 planar): all control points
-/// (p_ijk, q_ijk) lie beyond the convex curve, or all on the inner side of one of its tangents.
+/// No point of the degenerate page q = s 2 w^3, p <= 0 (s = +1 linear, -1 planar): all control
+/// points (p_ijk, q_ijk) lie beyond the convex curve, or all on the inner side of one of its
+/// tangents.
 template <int N>
 bool excludes_degenerate_page(const Simplex<N>& simplex, Sign s, SignStages& stages);
 
-/// The common sign of all Bernstein coefficients of the discriminant (84 on a tet), zero if not proven: then
-/// D has no zero, so neither degenerate page nor the spine meets the simplex. Slower than the page's
-/// own test, and decides where the page is thin.
+/// The common sign of all Bernstein coefficients of the discriminant (84 on a tet), zero if not
+/// proven: then D has no zero, so neither degenerate page nor the spine meets the simplex. Slower
+/// than the page's own test, and decides where the page is thin.
 template <int N>
 Sign uniform_sign_of_discriminant(const Simplex<N>& simplex, SignStages& stages);
 

@@ -7,8 +7,8 @@
 
 namespace triplex {
 
-/// Graph certificate: some direction d in the affine hull of the simplex has d . grad f > 0 on all of it,
-/// f the function of the sheet. Then f vanishes at most once on each line along d: no closed
+/// Graph certificate: some direction d in the affine hull of the simplex has d . grad f > 0 on all
+/// of it, f the function of the sheet. Then f vanishes at most once on each line along d: no closed
 /// components, at most one root on an edge, at most one arc on a triangle with certified edges, at
 /// most one disc in a tet with certified faces. N = 2, 3, 4 vertices. Proof: proofs/graph.md.
 ///

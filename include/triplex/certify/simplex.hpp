@@ -19,14 +19,13 @@ namespace triplex {
 /// What one rung of the ladder knows of a sign. `Unknown` sends the question to the next rung.
 enum class Certainty : std::int8_t { Negative = -1, Unknown = 0, Positive = 1 };
 
-/// The sign of a quantity as a rung sees it. `error` bounds the error of x and counts for doubles only.
+/// The sign of a quantity as a rung sees it. `error` bounds the error of x and counts for doubles
+/// only.
 inline Certainty certainty(double x, double error) {
   return x > error ? Certainty::Positive : x < -error ? Certainty::Negative : Certainty::Unknown;
 }
 inline Certainty certainty(const Interval& x, double) {
-  return x.inf() > 0   ? Certainty::Positive
-         : x.sup() < 0 ? Certainty::Negative
-                       : Certainty::Unknown;
+  return x.inf() > 0 ? Certainty::Positive : x.sup() < 0 ? Certainty::Negative : Certainty::Unknown;
 }
 inline Certainty certainty(const Exact& x, double) {
   return static_cast<Certainty>(static_cast<int>(sign(x)));
@@ -95,8 +94,8 @@ class Simplex {
 
   /// Decides a test for the perturbed field T + eps B, rung by rung.
   /// `test(forms, bounds)` is called with forms over double, Interval, Exact and Perturbed in turn
-  /// until one rung answers Yes or No. A test that even the perturbation leaves open is answered No:
-  /// certificates are sufficient conditions, so that is always safe.
+  /// until one rung answers Yes or No. A test that even the perturbation leaves open is answered
+  /// No: certificates are sufficient conditions, so that is always safe.
   template <class Test>
   bool decide(const Test& test, SignStages& stages) const {
     if (filter_usable()) {
@@ -198,8 +197,8 @@ class Simplex {
   EntryBounds entries_;
   FormBounds bounds_;
   Forms<double, N> approximate_;
-  std::array<int, N> local_{};                           // in the cell, of a face or edge
-  std::shared_ptr<const Forms<Exact, 4>> cell_exact_;    // if the cell has needed them
+  std::array<int, N> local_{};                         // in the cell, of a face or edge
+  std::shared_ptr<const Forms<Exact, 4>> cell_exact_;  // if the cell has needed them
   mutable std::shared_ptr<const Forms<Interval, N>> interval_;
   mutable std::shared_ptr<const Forms<Exact, N>> exact_;
   mutable std::shared_ptr<const Forms<Perturbed<N>, N>> perturbed_;

@@ -10,8 +10,8 @@
 
 namespace triplex {
 
-/// The six domains as sectors of the (p, q) plane, counter-clockwise; sector k lies between page k and
-/// page k + 1 (mod 6).
+/// The six domains as sectors of the (p, q) plane, counter-clockwise; sector k lies between page k
+/// and page k + 1 (mod 6).
 enum class Sector : std::uint8_t {
   InnerComplexLinear = 0,  ///< p > 0, q > 0
   OuterComplexLinear = 1,  ///< p < 0, q > 0, D < 0

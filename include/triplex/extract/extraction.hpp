@@ -24,9 +24,10 @@ struct FeatureMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::array<std::uint32_t, 2>> segments;
   // per point
-  std::vector<double> p;     ///< minor of the deviator, in squared tensor units
-  std::vector<double> q;     ///< determinant of the deviator, in cubed tensor units
-  std::vector<double> mode;  ///< mu = 3 sqrt(3) |q| / (2 |p|^(3/2)): 0 neutral, 1 degenerate, inf balanced
+  std::vector<double> p;  ///< minor of the deviator, in squared tensor units
+  std::vector<double> q;  ///< determinant of the deviator, in cubed tensor units
+  std::vector<double>
+      mode;  ///< mu = 3 sqrt(3) |q| / (2 |p|^(3/2)): 0 neutral, 1 degenerate, inf balanced
   // per cell
   std::vector<std::int64_t> source_cell;  ///< cell id in the input file
   std::vector<std::uint8_t> certified;    ///< 1 where the topology is proven
@@ -49,9 +50,7 @@ struct RefinementStatistics {
   std::uint64_t rounds = 0, bisections = 0, tets = 0;
 };
 
-struct ExtractionTiming {
-  double classify_s = 0, refine_s = 0, extract_s = 0;
-};
+struct ExtractionTiming {};
 
 /// Called from the calling thread between steps: name of the step, done in [0,1] or < 0 if unknown.
 using ProgressCallback = std::function<void(std::string_view step, double done)>;
@@ -76,8 +75,8 @@ struct Extraction {
   RefinementStatistics refinement;
   SignStages sign_stages;
   std::vector<UnresolvedTet> unresolved;  ///< sorted by source cell
-  /// Largest certified distance of a vertex on a certified edge from the true zero on that edge, as a
-  /// fraction of the edge.
+  /// Largest certified distance of a vertex on a certified edge from the true zero on that edge, as
+  /// a fraction of the edge.
   double largest_crossing_error = 0;
   ExtractionTiming timing;
   bool certified() const { return unresolved.empty(); }

@@ -11,8 +11,9 @@
 
 namespace triplex {
 
-/// The six surfaces are the six pages of the paper's book: rays from the origin of the (p, q) plane,
-/// numbered counter-clockwise from the positive p axis. The triple degenerate curve is the spine.
+/// The six surfaces are the six pages of the paper's book: rays from the origin of the (p, q)
+/// plane, numbered counter-clockwise from the positive p axis. The triple degenerate curve is the
+/// spine.
 enum class Feature : std::uint8_t {
   NeutralComplex = 0,    ///< q = 0, p > 0
   BalancedLinear = 1,    ///< p = 0, q > 0
@@ -26,9 +27,14 @@ inline constexpr int kPages = 6;
 inline constexpr int kFeatures = 7;
 
 /// The four smooth sheets that carry the pages; each is one C^1 level set f = 0.
-/// `DegenerateLinear` is G+ = q - 2 v^3 and `DegeneratePlanar` G- = q + 2 v^3, v = sqrt(max(0,-p)/3):
-/// for p > 0 both continue as the complex neutral surface.
-enum class Sheet : std::uint8_t { Balanced = 0, Neutral = 1, DegenerateLinear = 2, DegeneratePlanar = 3 };
+/// `DegenerateLinear` is G+ = q - 2 v^3 and `DegeneratePlanar` G- = q + 2 v^3, v =
+/// sqrt(max(0,-p)/3): for p > 0 both continue as the complex neutral surface.
+enum class Sheet : std::uint8_t {
+  Balanced = 0,
+  Neutral = 1,
+  DegenerateLinear = 2,
+  DegeneratePlanar = 3
+};
 inline constexpr int kSheets = 4;
 
 /// One row of the table of features.
@@ -36,9 +42,9 @@ struct FeatureRow {
   Feature feature;
   std::string_view name;   ///< file stem and JSON key
   std::string_view title;  ///< for people
-  Sheet sheet;             ///< the sheet whose zero set carries the page (spine: Balanced and Neutral)
-  Sign sign_p;             ///< on the page
-  Sign sign_q;             ///< on the page
+  Sheet sheet;  ///< the sheet whose zero set carries the page (spine: Balanced and Neutral)
+  Sign sign_p;  ///< on the page
+  Sign sign_q;  ///< on the page
   std::array<double, 3> color;  ///< RGB in [0,1], the paper's colours
 };
 
@@ -50,7 +56,9 @@ std::optional<Feature> feature_named(std::string_view name);
 
 /// A set of features, as bits.
 using FeatureSet = std::uint8_t;
-constexpr FeatureSet bit(Feature f) { return static_cast<FeatureSet>(1u << static_cast<unsigned>(f)); }
+constexpr FeatureSet bit(Feature f) {
+  return static_cast<FeatureSet>(1u << static_cast<unsigned>(f));
+}
 constexpr FeatureSet bit(int page) { return static_cast<FeatureSet>(1u << page); }
 inline constexpr FeatureSet kAllFeatures = 0x7f;
 

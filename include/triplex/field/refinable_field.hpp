@@ -44,7 +44,8 @@ class RefinableField {
   /// log2 of the factor that `approximate` was multiplied by.
   int scale_exponent() const { return scale_exponent_; }
 
-  /// The midpoint of two vertices of one tet, as a new vertex; nothing when 2^-kMaxDepth is reached.
+  /// The midpoint of two vertices of one tet, as a new vertex; nothing when 2^-kMaxDepth is
+  /// reached.
   std::optional<VertexId> add_midpoint(VertexId a, VertexId b);
 
   /// Weights are multiples of 2^-kMaxDepth, exactly representable as doubles.

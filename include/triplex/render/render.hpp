@@ -35,10 +35,10 @@ struct RenderOptions {
   std::optional<Bounds> outline;
 };
 
-/// Draws the feature meshes NAME.vtp of `directory` in the colours of the table of features, with the
-/// outline of the domain and a legend of the features that are not empty, into the PNG file `picture`.
-/// Needs an X display (Mesa's software rendering will do). Guarantee: a whole picture or none.
-/// Errors: RenderError; IoError if the picture cannot be written.
+/// Draws the feature meshes NAME.vtp of `directory` in the colours of the table of features, with
+/// the outline of the domain and a legend of the features that are not empty, into the PNG file
+/// `picture`. Needs an X display (Mesa's software rendering will do). Guarantee: a whole picture or
+/// none. Errors: RenderError; IoError if the picture cannot be written.
 void render_features(const std::filesystem::path& directory, const std::filesystem::path& picture,
                      const RenderOptions& options = {});
 
