@@ -50,7 +50,10 @@ struct RefinementStatistics {
   std::uint64_t rounds = 0, bisections = 0, tets = 0;
 };
 
-struct ExtractionTiming {};
+/// Seconds of wall time: refinement with certification, and extraction.
+struct ExtractionTiming {
+  double refine_s = 0, extract_s = 0;
+};
 
 /// Called from the calling thread between steps: name of the step, done in [0,1] or < 0 if unknown.
 using ProgressCallback = std::function<void(std::string_view step, double done)>;
