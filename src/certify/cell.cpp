@@ -284,8 +284,9 @@ class CellCheck {
       const auto rotation = rotation_along((*cell_).field(), a, b, sector(a), sector(b), stages_);
       FeatureSet wrong = kAllFeatures;
       if (rotation) wrong = result_.excluded & pages_crossed(sector(a), *rotation);
-      wrong &= result_.excluded | result_.graph;
       if (wrong == 0) continue;
+      // Wrong rotations may also make a face look as if the spine went through it.
+      wrong = (wrong | kCurve) & (result_.excluded | result_.graph);
       block(Obstacle::Edge, Simplex<2>(*cell_, edge), edge, {.p = true, .q = true});
       result_.excluded &= ~wrong;
       result_.graph &= ~wrong;

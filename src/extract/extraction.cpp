@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <chrono>
 
@@ -68,22 +69,40 @@ std::vector<std::uint32_t> active_leaves(const RefinedComplex& complex,
   return active;
 }
 
-/// An edge whose side of the spine stays undecided leaves every tet around it open.
-void open_around(const EdgeCrossings& crossings, const std::vector<std::uint32_t>& active,
-                 FeatureSet features, RefinedComplex& complex) {
-  const auto& edges = crossings.edges();
-  if (std::none_of(edges.begin(), edges.end(), [](const auto& e) { return e.open; })) return;
-  for (const std::uint32_t n : active) {
-    Leaf& leaf = complex.leaves[n];
+/// Opens the tets whose patches rest on something that could not be computed: the side of the spine
+/// of one of their edges, or the place of the triple degenerate point on one of their faces.
+void open_unsettled(const EdgeCrossings& crossings, const FaceSpinePoints& spine_points,
+                    const std::vector<std::uint32_t>& active, FeatureSet features,
+                    RefinedComplex& complex) {
+  const auto unsettled = [&](const Leaf& leaf) {
+    const auto& v = leaf.vertices;
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j) {
-        const CrossedEdge* edge = crossings.find(leaf.vertices[i], leaf.vertices[j]);
-        if (edge == nullptr || !edge->open) continue;
-        leaf.graph = 0;
-        leaf.open = features;
-        leaf.has_spine_proof = false;
-        leaf.obstacle = Obstacle::Vertex;
+        const CrossedEdge* edge = crossings.find(v[i], v[j]);
+        if (edge != nullptr && edge->open) return true;
       }
+    for (const auto& face : {std::array{v[1], v[2], v[3]},
+                             {v[0], v[2], v[3]},
+                             {v[0], v[1], v[3]},
+                             {v[0], v[1], v[2]}}) {
+      const int point = spine_points.find(face);
+      if (point >= 0 && !spine_points.points()[static_cast<std::size_t>(point)].converged)
+        return true;
+    }
+    return false;
+  };
+  const bool all_edges =
+      std::ranges::none_of(crossings.edges(), [](const CrossedEdge& e) { return e.open; });
+  const bool all_points =
+      std::ranges::all_of(spine_points.points(), [](const SpinePoint& p) { return p.converged; });
+  if (all_edges && all_points) return;
+  for (const std::uint32_t n : active) {
+    Leaf& leaf = complex.leaves[n];
+    if (!unsettled(leaf)) continue;
+    leaf.graph = 0;
+    leaf.open = features;
+    leaf.has_spine_proof = false;
+    if (leaf.obstacle == Obstacle::None) leaf.obstacle = Obstacle::SpineFace;
   }
 }
 
@@ -161,8 +180,8 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
   const std::vector<std::uint32_t> active = active_leaves(complex, labels);
   SignStages stages = complex.sign_stages;
   const EdgeCrossings crossings(complex, labels, active, options.features, stages);
-  open_around(crossings, active, options.features, complex);
   const FaceSpinePoints spine_points(complex, active, crossings);
+  open_unsettled(crossings, spine_points, active, options.features, complex);
   report("mesh");
   result.features = FeatureMeshBuilder(field, complex, labels, crossings, spine_points)
                         .build(active, options.features);

@@ -169,5 +169,38 @@ TEST(SameFieldOnOtherMeshes, HasTheSameTopology) {
   EXPECT_GT(compared, static_cast<int>(kFields) * 8);
 }
 
+/// What else is asked for does not change the answer: a feature certified on its own, or with
+/// another, has the topology that it has among all.
+TEST(SubsetsOfFeatures, AgreeWithAll) {
+  std::vector<FeatureSet> subsets;
+  for (int f = 0; f < kFeatures; ++f) {
+    subsets.push_back(bit(f));
+    subsets.push_back(bit(f) | bit(Feature::TripleCurve));
+    subsets.push_back(bit(f) | bit((f + 2) % kPages));
+  }
+  int compared = 0;
+  for (std::uint64_t seed = 101; seed < 121; ++seed) {
+    GridOptions grid;
+    grid.n = 2;
+    grid.seed = seed;
+    const TensorField field = generate_random_linear(grid);
+    const Extraction all = extract(field);
+    for (const FeatureSet subset : subsets) {
+      ExtractionOptions options;
+      options.features = subset;
+      const Extraction some = extract(field, options);
+      for (int f = 0; f < kFeatures; ++f) {
+        const auto feature = static_cast<Feature>(f);
+        if (!(subset & bit(f)) || !test::certified(all, feature)) continue;
+        if (!test::certified(some, feature)) continue;
+        EXPECT_EQ(topology_of(all.features[f]), topology_of(some.features[f]))
+            << feature_table()[f].name << ", seed " << seed << ", subset " << int(subset);
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 100);
+}
+
 }  // namespace
 }  // namespace triplex
