@@ -10,7 +10,11 @@ target_compile_features(triplex_flags INTERFACE cxx_std_20)
 target_compile_options(triplex_flags INTERFACE -ffp-contract=off -fno-fast-math)
 add_library(triplex_warnings INTERFACE)
 target_compile_options(triplex_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow
-  $<$<BOOL:${TRIPLEX_WERROR}>:-Werror>)
+  $<$<BOOL:${TRIPLEX_WERROR}>:-Werror>
+  # GCC 12 sees out-of-bounds writes in inlined library code (fmt, std::sort) where there are none.
+  $<$<AND:$<BOOL:${TRIPLEX_WERROR}>,$<CXX_COMPILER_ID:GNU>>:-Wno-error=array-bounds
+  -Wno-error=stringop-overflow -Wno-error=stringop-overread -Wno-error=restrict
+  -Wno-error=maybe-uninitialized -Wno-error=use-after-free -Wno-error=free-nonheap-object>)
 if(TRIPLEX_SANITIZE)
   target_compile_options(triplex_flags INTERFACE -fsanitize=${TRIPLEX_SANITIZE}
     -fno-omit-frame-pointer -fno-sanitize-recover=all)
