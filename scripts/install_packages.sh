@@ -14,7 +14,7 @@ packages=(
   # files and pictures
   libvtk9-dev libx11-dev xvfb xauth libgl1-mesa-dri
   # tests and benchmarks
-  libgtest-dev libbenchmark-dev
+  libgtest-dev libgmock-dev libbenchmark-dev
 )
 
 is_installed() {
