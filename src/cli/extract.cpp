@@ -9,6 +9,7 @@
 #include "feature_list.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
+#include "reading_options.hpp"
 #include "report.hpp"
 #include "staged_directory.hpp"
 #include "stopwatch.hpp"
@@ -29,11 +30,7 @@ struct Steps {
 
 TensorField read_checked(const ExtractRequest& request, InputRepairs& repairs, Steps& steps) {
   steps.progress.show("reading and checking");
-  TensorField field = read_field(request.field,
-                                 {.tensor_name = request.tensor,
-                                  .merge_points = request.merge_points,
-                                  .fix_orientation = request.fix_orientation},
-                                 &repairs);
+  TensorField field = read_field(request.field, request.reading, &repairs);
   steps.timing.read = steps.step.lap();
   throw_if_interrupted();
   return field;
@@ -81,10 +78,7 @@ ExitCode run_extract(const ExtractRequest& request) {
   steps.timing.topology = steps.step.lap();
   write_results(request, field, extraction, summaries, directory, steps);
   steps.progress.clear();
-  if (repairs.merged_points + repairs.flipped_tets > 0) {
-    fmt::print("repaired on input: {} points merged, {} tets turned around\n",
-               repairs.merged_points, repairs.flipped_tets);
-  }
+  fmt::print("{}", describe_reading(field.split, repairs));
   fmt::print("{}", make_table(request, extraction, summaries));
   return extraction.certified() ? ExitCode::Certified : ExitCode::Unresolved;
 }
@@ -98,15 +92,10 @@ void add_extract(CLI::App& program, Action& action) {
   CLI::App* const command = program.add_subcommand(
       "extract",
       "Extract the feature surfaces and the triple degenerate curve, with certificates.");
-  command->add_option("FIELD", request->field, "Tensor field: .vtu, .pvtu or legacy .vtk")
-      ->required();
+  add_reading_options(*command, request->field, request->reading);
   command->add_option("-o,--output", request->directory, "Directory for the results")
       ->required()
       ->type_name("DIR");
-  command
-      ->add_option("--tensor", request->tensor,
-                   "Name of the point array with 9 components; needed if there are several")
-      ->type_name("NAME");
   command->add_option("--features", *names, "Only these, of " + all_feature_names())
       ->delimiter(',')
       ->type_name("A,B,...");
@@ -120,15 +109,12 @@ void add_extract(CLI::App& program, Action& action) {
       ->check(CLI::Range(0u, 4096u))
       ->type_name("N")
       ->capture_default_str();
-  command->add_flag("--merge-points", request->merge_points,
-                    "Make one point of points with equal coordinates and tensors");
-  command->add_flag("--fix-orientation", request->fix_orientation,
-                    "Turn tets of negative volume around");
   command->add_flag("--quiet", request->quiet, "No progress on stderr");
   command->footer(
       "Examples:\n"
       "  triplex extract flow.vtu -o flow\n"
       "  triplex extract flow.vtu -o flow --features degenerate-linear,triple-curve\n"
+      "  triplex extract flow.vtu -o flow --gradient-of U\n"
       "DIR gets one .vtp file per feature (empty ones too) and report.json.");
   command->callback([request, names, &action] {
     if (!names->empty()) request->features = parse_features(*names);

@@ -8,6 +8,7 @@
 
 #include "command.hpp"
 #include "field_statistics.hpp"
+#include "reading_options.hpp"
 #include "triplex/io/read_field.hpp"
 
 namespace triplex::cli {
@@ -38,6 +39,9 @@ Json make_json(const InfoRequest& request, const TensorField& field, const Field
   json["tets"] = s.tets;
   json["vertices"] = s.vertices;
   json["array"] = field.array_name;
+  json["split"] = {{"hexahedra", field.split.hexahedra},
+                   {"wedges", field.split.wedges},
+                   {"pyramids", field.split.pyramids}};
   json["box"] = {to_json(s.box[0]), to_json(s.box[1]), to_json(s.box[2])};
   json["magnitude"] = to_json(s.magnitude);
   json["trace"] = to_json(s.trace);
@@ -99,11 +103,13 @@ void print_text(const InfoRequest& request, const TensorField& field, const Fiel
 }
 
 ExitCode run_info(const InfoRequest& request) {
-  const TensorField field = read_field(request.field, request.reading);
+  InputRepairs repairs;
+  const TensorField field = read_field(request.field, request.reading, &repairs);
   const FieldStatistics statistics = field_statistics(field);
   if (request.json) {
     fmt::print("{}\n", make_json(request, field, statistics).dump(2));
   } else {
+    fmt::print("{}", describe_reading(field.split, repairs));
     print_text(request, field, statistics);
   }
   return ExitCode::Certified;
@@ -115,16 +121,7 @@ void add_info(CLI::App& program, Action& action) {
   auto request = std::make_shared<InfoRequest>();
   CLI::App* const command = program.add_subcommand(
       "info", "Check a tensor field and say what is in it: ranges, domains, exact zeros.");
-  command->add_option("FIELD", request->field, "Tensor field: .vtu, .pvtu or legacy .vtk")
-      ->required();
-  command
-      ->add_option("--tensor", request->reading.tensor_name,
-                   "Name of the point array with 9 components; needed if there are several")
-      ->type_name("NAME");
-  command->add_flag("--merge-points", request->reading.merge_points,
-                    "Make one point of points with equal coordinates and tensors");
-  command->add_flag("--fix-orientation", request->reading.fix_orientation,
-                    "Turn tets of negative volume around");
+  add_reading_options(*command, request->field, request->reading);
   command->add_flag("--json", request->json, "As JSON, for programs");
   command->footer(
       "Examples:\n"

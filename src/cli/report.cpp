@@ -43,15 +43,23 @@ Json field_json(const ExtractRequest& request, const TensorField& field) {
           {"tets", field.mesh.tets.size()},
           {"vertices", field.mesh.points.size()},
           {"array", field.array_name},
-          {"bounds", bounds_of(field)}};
+          {"bounds", bounds_of(field)},
+          {"split",
+           {{"hexahedra", field.split.hexahedra},
+            {"wedges", field.split.wedges},
+            {"pyramids", field.split.pyramids}}}};
 }
 
 Json options_json(const ExtractRequest& request) {
   return {{"features", names_of(request.features)},
           {"max_bisections", request.max_bisections},
           {"threads", request.threads},
-          {"merge_points", request.merge_points},
-          {"fix_orientation", request.fix_orientation}};
+          {"tensor", request.reading.tensor_name},
+          {"gradient_of", request.reading.gradient_of},
+          {"transpose", request.reading.transpose},
+          {"symmetric_order", request.reading.symmetric_order},
+          {"merge_points", request.reading.merge_points},
+          {"fix_orientation", request.reading.fix_orientation}};
 }
 
 Json surface_json(const FeatureSummary& summary) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "triplex/extract/extraction.hpp"
+#include "triplex/io/read_field.hpp"
 #include "triplex/topology/curve_topology.hpp"
 #include "triplex/topology/surface_topology.hpp"
 
@@ -34,13 +35,11 @@ struct StepTiming {
 struct ExtractRequest {
   std::string field;
   std::string directory;
-  std::string tensor;
+  ReadOptions reading;
   FeatureSet features = kAllFeatures;
   std::uint32_t max_bisections = 0;
   unsigned threads = 0;
   bool quiet = false;
-  bool merge_points = false;
-  bool fix_orientation = false;
 };
 
 /// The contents of report.json; docs/formats.md says what each key means.

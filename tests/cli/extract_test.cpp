@@ -67,7 +67,7 @@ TEST(Report, HasTheDocumentedKeys) {
                                    "refinement", "sign_stages", "features", "unresolved",
                                    "timing_s", "peak_memory_bytes"));
   EXPECT_THAT(keys(report["field"]),
-              UnorderedElementsAre("file", "tets", "vertices", "array", "bounds"));
+              UnorderedElementsAre("file", "tets", "vertices", "array", "bounds", "split"));
   EXPECT_THAT(keys(report["certificates"]),
               UnorderedElementsAre("exclusion", "graph", "spine", "unresolved"));
   EXPECT_THAT(keys(report["refinement"]), UnorderedElementsAre("rounds", "bisections", "tets"));
