@@ -69,7 +69,7 @@ void check_finite(const RawField& raw, const std::vector<std::uint8_t>& used) {
                     raw.field.array_name, place(raw, point)));
   }
   throw BadInput(fmt::format(
-      "the gradient of {} cannot be computed ({}); a cell is folded at a corner, mesh again",
+      "the gradient of {} cannot be computed ({}); a cell may be folded, mesh again",
       raw.field.array_name, reason));
 }
 

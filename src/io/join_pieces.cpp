@@ -4,6 +4,7 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "raw_field.hpp"
@@ -70,7 +71,14 @@ std::vector<VertexId> joined_points(const RawField& raw,
   std::vector<VertexId> target(points.size());
   for (std::uint32_t i = 0; i < used.size(); ++i) {
     target[i] = VertexId{i};
-    if (used[i]) ids.push_back(i);
+    if (!used[i]) continue;
+    if (!std::ranges::all_of(points[i], [](double x) { return std::isfinite(x); })) {
+      throw BadInput(
+          fmt::format("point {} at ({}, {}, {}) has a coordinate that is not finite; correct or "
+                      "remove the point",
+                      i, points[i][0], points[i][1], points[i][2]));
+    }
+    ids.push_back(i);
   }
   const auto copy = [&](std::uint32_t i) { return raw.copies.empty() ? 0 : raw.copies[i]; };
   // By place; at one place first those that their piece owns, then by id.
@@ -80,7 +88,7 @@ std::vector<VertexId> joined_points(const RawField& raw,
   });
   for (std::size_t i = 0, j; i < ids.size(); i = j) {
     const std::uint32_t first = ids[i];
-    for (j = i; j < ids.size() && points[ids[j]] == points[first]; ++j) {
+    for (j = i + 1; j < ids.size() && points[ids[j]] == points[first]; ++j) {
       const std::uint32_t other = ids[j];
       const bool overruled = copy(other) != copy(first);
       if (!overruled && !agree(other, first)) {
