@@ -16,7 +16,8 @@ void add_reading_options(CLI::App& command, std::string& file, ReadOptions& opti
       .add_option("--gradient-of", options.gradient_of,
                   "Take the gradient of this point array with 3 components")
       ->type_name("NAME");
-  command.add_flag("--transpose", options.transpose, "Transpose the tensors, for OpenFOAM's grad(U)");
+  command.add_flag("--transpose", options.transpose,
+                   "Transpose the tensors, for OpenFOAM's grad(U)");
   command
       .add_option("--symmetric-order", options.symmetric_order,
                   "The tensors have 6 components in this order: xx,yy,zz,xy,yz,xz (VTK), "

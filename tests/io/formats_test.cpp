@@ -259,8 +259,8 @@ TEST(Formats, RefusesOtherKindsOfDataSets) {
 TEST(Formats, RefusesEveryTruncation) {
   const TemporaryDirectory directory;
   const GridPointer grid = two_tets();
-  for (const Encoding encoding :
-       {Encoding::Ascii, Encoding::Inline, Encoding::Compressed, Encoding::AppendedBase64}) {
+  for (const Encoding encoding : {Encoding::Ascii, Encoding::Inline, Encoding::Compressed,
+                                  Encoding::AppendedRaw, Encoding::AppendedBase64}) {
     test::write_vtu(directory / "good.vtu", *grid, encoding);
     const std::string content = file_content(directory / "good.vtu");
     for (std::size_t size = 0; size + 60 < content.size(); size += 97) {
