@@ -46,8 +46,9 @@ std::size_t corner_count(CellShape shape) {
 
 CellTets split_cell(CellShape shape, std::span<const Point> corners) {
   const auto lower = [&](Corner a, Corner b) { return corners[a] < corners[b]; };
+  const auto count = static_cast<Corner>(corner_count(shape));
   Corner apex = 0;
-  for (Corner c = 1; c < corner_count(shape); ++c) {
+  for (Corner c = 1; c < count; ++c) {
     if (lower(c, apex)) apex = c;
   }
   // The cone from the lowest corner over the faces that it does not lie on. Seen from inside, a

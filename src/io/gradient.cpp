@@ -68,9 +68,9 @@ void check_finite(const RawField& raw, const std::vector<std::uint8_t>& used) {
                     "a cell is folded, scale them or mesh again",
                     raw.field.array_name, place(raw, point)));
   }
-  throw BadInput(fmt::format(
-      "the gradient of {} cannot be computed ({}); a cell may be folded, mesh again",
-      raw.field.array_name, reason));
+  throw BadInput(
+      fmt::format("the gradient of {} cannot be computed ({}); a cell may be folded, mesh again",
+                  raw.field.array_name, reason));
 }
 
 /// The cells that tets were made of, each once.
@@ -121,7 +121,7 @@ void leave_out_repeated(vtkCellArray& cells, const std::vector<VertexId>& target
 vtkSmartPointer<vtkUnstructuredGrid> joined_grid(vtkUnstructuredGrid& grid, const RawField& raw,
                                                  const std::vector<VertexId>& target,
                                                  const std::vector<vtkIdType>& cells) {
-  const auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
   result->SetPoints(to_vtk_points(raw.field.mesh.points));
   result->GetPointData()->AddArray(
       to_vtk_array("u", raw.vectors.front().data(), raw.vectors.size(), kVectorComponents));

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "reading.hpp"
+#include "triplex/field/grid.hpp"
 #include "vtk_files.hpp"
 
 namespace triplex {
@@ -157,6 +158,12 @@ TEST(Cells, VoxelsAreHexahedraInAnotherOrder) {
   const TensorField field = read(brick(3, VTK_VOXEL, false, 0));
   EXPECT_EQ(geometry(field), geometry(read(brick(3, VTK_HEXAHEDRON, false, 0))));
   EXPECT_EQ(field.split.hexahedra, 27u);
+}
+
+TEST(Cells, OfARegularGridGetKuhnsCut) {
+  TensorField kuhn;
+  kuhn.mesh = grid_mesh({.n = 3, .split = CellSplit::Six}, {});
+  EXPECT_EQ(geometry(read(brick(3, VTK_VOXEL, false, 0))), geometry(kuhn));
 }
 
 TEST(Cells, MirroredAreTurnedAround) {
