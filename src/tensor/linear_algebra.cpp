@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace triplex {
 namespace {
@@ -29,32 +30,22 @@ void pivot(std::array<std::array<double, 3>, 3>& u, std::array<int, 3>& columns,
 }  // namespace
 
 UnitDeviator unit_deviator(const Tensor<double>& t) {
-  // Differences of the diagonal are taken at a quarter of the size if they could overflow: there
-  // they are zero or far from the denormals. What is off the diagonal keeps its own scale.
-  const double diagonal = std::fmax(std::fmax(std::fabs(t[0]), std::fabs(t[4])), std::fabs(t[8]));
-  const int halvings = diagonal > 0x1p1000 ? 4 : 0;
-  const double x = std::ldexp(t[0], -halvings);
-  const double y = std::ldexp(t[4], -halvings);
-  const double z = std::ldexp(t[8], -halvings);
-  const std::array<double, 3> tripled = {(x - y) + (x - z), (y - x) + (y - z), (z - x) + (z - y)};
-  UnitDeviator unit;
-  bool any = false;
-  const auto include = [&](double value, int exponent) {
-    if (value == 0) return;
+  // Sums of differences of entries up to 2^1020 do not overflow. What is off the diagonal keeps its
+  // own scale, however small it is.
+  Tensor<double> a = t;
+  a[0] = (t[0] - t[4]) + (t[0] - t[8]);
+  a[4] = (t[4] - t[0]) + (t[4] - t[8]);
+  a[8] = (t[8] - t[0]) + (t[8] - t[4]);
+  int exponent = std::numeric_limits<int>::min();
+  for (const double x : a) {
     int e = 0;
-    std::frexp(value, &e);
-    unit.exponent = any ? std::max(unit.exponent, e + exponent) : e + exponent;
-    any = true;
-  };
-  for (const double d : tripled) include(d, halvings);
-  for (int i = 0; i < 9; ++i) {
-    if (i % 4 != 0) include(t[i], 0);
+    std::frexp(x, &e);
+    if (x != 0) exponent = std::max(exponent, e);
   }
-  for (int i = 0; i < 9; ++i) {
-    unit.a[i] = i % 4 == 0 ? std::ldexp(tripled[i / 4], halvings - unit.exponent) / 3
-                           : std::ldexp(t[i], -unit.exponent);
-  }
-  return unit;
+  if (exponent == std::numeric_limits<int>::min()) return {};
+  for (double& x : a) x = std::ldexp(x, -exponent);
+  for (const int i : {0, 4, 8}) a[i] /= 3;
+  return {a, exponent};
 }
 
 Tensor<double> shifted(const Tensor<double>& m, double l) {

@@ -14,6 +14,7 @@ struct UnitDeviator {
   Tensor<double> a{};
   int exponent = 0;
 };
+/// \pre |t| <= 2^1020.
 UnitDeviator unit_deviator(const Tensor<double>& t);
 
 /// m - l I.
