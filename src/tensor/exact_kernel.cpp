@@ -18,7 +18,9 @@ using ExactVector = std::array<Exact, 3>;
 
 bool is_zero(const ExactVector& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
 
-ExactVector row(const Tensor<Exact>& m, int i) { return {m[3 * i], m[3 * i + 1], m[3 * i + 2]}; }
+ExactVector row(const Tensor<Exact>& m, std::size_t i) {
+  return {m[3 * i], m[3 * i + 1], m[3 * i + 2]};
+}
 
 ExactVector cross_product(const ExactVector& a, const ExactVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -39,13 +41,13 @@ Direction direction(const ExactVector& v) {
 
 ExactKernel exact_kernel(const Tensor<Exact>& m) {
   // Rank two: two rows span the complement of the kernel.
-  constexpr std::array<std::array<int, 2>, 3> kPairs = {{{0, 1}, {0, 2}, {1, 2}}};
+  constexpr std::array<std::array<std::size_t, 2>, 3> kPairs = {{{0, 1}, {0, 2}, {1, 2}}};
   for (const auto& [i, j] : kPairs) {
     const ExactVector v = cross_product(row(m, i), row(m, j));
     if (!is_zero(v)) return {1, direction(v), kNoDirection, kNoDirection};
   }
   // Rank one: all rows are multiples of any one that is not zero.
-  for (int i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {
     if (is_zero(row(m, i))) continue;
     const Direction n = direction(row(m, i));
     const Direction first = any_orthogonal(n);

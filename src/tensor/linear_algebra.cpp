@@ -105,7 +105,8 @@ Direction any_orthogonal(const Direction& n) {
 
 Direction times(const Tensor<double>& m, const Direction& v) {
   Direction r;
-  for (int i = 0; i < 3; ++i) r[i] = m[3 * i] * v[0] + m[3 * i + 1] * v[1] + m[3 * i + 2] * v[2];
+  for (std::size_t i = 0; i < 3; ++i)
+    r[i] = m[3 * i] * v[0] + m[3 * i + 1] * v[1] + m[3 * i + 2] * v[2];
   return r;
 }
 
