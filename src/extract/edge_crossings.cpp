@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "edge_root.hpp"
+#include "level_root.hpp"
 #include "triplex/certify/edge_side.hpp"
 
 namespace triplex {
@@ -19,8 +20,8 @@ constexpr std::size_t kGrain = 256;
 
 using Ends = std::array<VertexId, 2>;
 
-/// The edges of active tets whose ends differ in sector, sorted, each once.
-std::vector<Ends> crossed_ends(const RefinedComplex& complex, const std::vector<Sector>& labels,
+/// The edges of active tets whose ends differ in some label, sorted, each once.
+std::vector<Ends> crossed_ends(const RefinedComplex& complex, const VertexLabels& labels,
                                const std::vector<std::uint32_t>& active_leaves) {
   tbb::enumerable_thread_specific<std::vector<Ends>> found;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, active_leaves.size(), kGrain),
@@ -30,8 +31,7 @@ std::vector<Ends> crossed_ends(const RefinedComplex& complex, const std::vector<
                         const auto& v = complex.leaves[active_leaves[n]].vertices;
                         for (int i = 0; i < 4; ++i)
                           for (int j = i + 1; j < 4; ++j)
-                            if (labels[index(v[i])] != labels[index(v[j])])
-                              mine.push_back({v[i], v[j]});
+                            if (!labels.agree(v[i], v[j])) mine.push_back({v[i], v[j]});
                       }
                     });
   std::vector<Ends> all;
@@ -43,9 +43,11 @@ std::vector<Ends> crossed_ends(const RefinedComplex& complex, const std::vector<
 
 }  // namespace
 
-EdgeCrossings::EdgeCrossings(const RefinedComplex& complex, const std::vector<Sector>& labels,
+EdgeCrossings::EdgeCrossings(const RefinedComplex& complex, const FeatureTable& table,
+                             const VertexLabels& labels,
                              const std::vector<std::uint32_t>& active_leaves, FeatureSet features,
-                             SignStages& stages) {
+                             SignStages& stages)
+    : table_(table), labels_(labels) {
   const std::vector<Ends> ends = crossed_ends(complex, labels, active_leaves);
   edges_.resize(ends.size());
   tbb::enumerable_thread_specific<SignStages> stages_per_thread;
@@ -53,16 +55,8 @@ EdgeCrossings::EdgeCrossings(const RefinedComplex& complex, const std::vector<Se
 
   // Rotations first, then room for the crossings, then their positions.
   tbb::parallel_for(all, [&](const auto& range) {
-    for (std::size_t n = range.begin(); n < range.end(); ++n) {
-      const auto [a, b] = ends[n];
-      const Sector from = labels[index(a)], to = labels[index(b)];
-      const auto rotation =
-          rotation_along(complex.field, a, b, from, to, stages_per_thread.local());
-      // An open side still needs one value that both neighbours share: the short way round.
-      int turn = (index(to) - index(from) + kPages) % kPages;
-      if (turn > kPages / 2) turn -= kPages;
-      edges_[n] = {ends[n], static_cast<std::int8_t>(rotation.value_or(turn)), !rotation, 0};
-    }
+    for (std::size_t n = range.begin(); n < range.end(); ++n)
+      edges_[n] = classify(complex.field, ends[n], stages_per_thread.local());
   });
   std::uint32_t count = 0;
   for (CrossedEdge& edge : edges_) {
@@ -71,25 +65,48 @@ EdgeCrossings::EdgeCrossings(const RefinedComplex& complex, const std::vector<Se
   }
   crossings_.resize(count);
   tbb::parallel_for(all, [&](const auto& range) {
-    for (std::size_t n = range.begin(); n < range.end(); ++n) {
-      const CrossedEdge& edge = edges_[n];
-      const Simplex<2> simplex(complex.field, edge.ends);
-      for (int i = 0; i < edge.count(); ++i) {
-        const Feature page = page_crossed(labels[index(edge.ends[0])], edge.rotation, i);
-        Crossing& crossing = crossings_[edge.first + static_cast<std::uint32_t>(i)];
-        crossing.page = page;
-        if (!(features & bit(page))) continue;
-        const EdgeRoot root = find_crossing(simplex, page, edge.rotation > 0);
-        crossing.t = root.t;
-        crossing.error = root.error;
-      }
-    }
+    for (std::size_t n = range.begin(); n < range.end(); ++n)
+      locate(complex.field, edges_[n], features);
   });
   for (const SignStages& s : stages_per_thread) stages += s;
 
   first_edge_.assign(complex.field.vertex_count() + 1, 0);
   for (const CrossedEdge& edge : edges_) first_edge_[index(edge.ends[0]) + 1] += 1;
   for (std::size_t v = 1; v < first_edge_.size(); ++v) first_edge_[v] += first_edge_[v - 1];
+}
+
+CrossedEdge EdgeCrossings::classify(const RefinableField& field, const Ends& ends,
+                                    SignStages& stages) const {
+  const auto [a, b] = ends;
+  const Sector from = labels_.sector(a), to = labels_.sector(b);
+  const auto rotation = rotation_along(field, a, b, from, to, table_, stages);
+  // An open side still needs one value that both neighbours share: the short way round.
+  const int pages = table_.page_count();
+  int turn = (index(to) - index(from) + pages) % pages;
+  if (turn > pages / 2) turn -= pages;
+  return {.ends = ends,
+          .rotation = static_cast<std::int8_t>(rotation.value_or(turn)),
+          .open = !rotation,
+          .levels = labels_.inside_of(a) ^ labels_.inside_of(b)};
+}
+
+void EdgeCrossings::locate(const RefinableField& field, const CrossedEdge& edge,
+                           FeatureSet features) {
+  Crossing* crossing = &crossings_[edge.first];
+  const auto set = [&](Feature feature, const EdgeRoot& root) {
+    *crossing++ = {feature, root.t, root.error};
+  };
+  const Simplex<2> simplex(field, edge.ends);
+  for (int i = 0; i < edge.pages(); ++i) {
+    const Feature page = page_crossed(table_, labels_.sector(edge.ends[0]), edge.rotation, i);
+    set(page, contains(features, page) ? find_crossing(simplex, table_, page, edge.rotation > 0)
+                                       : EdgeRoot{});
+  }
+  for (FeatureSet rest = edge.levels; rest != 0; rest &= rest - 1) {
+    const auto feature = static_cast<Feature>(std::countr_zero(rest));
+    set(feature, find_level_crossing(field, edge.ends, table_.row(feature).level,
+                                     contains(labels_.inside_of(edge.ends[0]), feature)));
+  }
 }
 
 const CrossedEdge* EdgeCrossings::find(VertexId a, VertexId b) const {
@@ -100,10 +117,25 @@ const CrossedEdge* EdgeCrossings::find(VertexId a, VertexId b) const {
   return at != end && at->ends[1] == b ? &*at : nullptr;
 }
 
-int EdgeCrossings::crossing_of(const CrossedEdge& edge, Sector sector, Feature page) {
-  const int k = static_cast<int>(page), from = index(sector);
-  const int i = edge.rotation > 0 ? (k - from - 1 + kPages) % kPages : (from - k + kPages) % kPages;
-  return i < edge.count() ? static_cast<int>(edge.first) + i : -1;
+FeatureSet EdgeCrossings::features_on(const CrossedEdge& edge) const {
+  return edge.levels | pages_crossed(table_, labels_.sector(edge.ends[0]), edge.rotation);
+}
+
+int EdgeCrossings::crossing_of(const CrossedEdge& edge, Feature feature) const {
+  if (contains(edge.levels, feature))
+    return static_cast<int>(edge.first) + edge.pages() +
+           std::popcount(edge.levels & (bit(feature) - 1));
+  const int k = table_.position(feature);
+  if (k < 0) return -1;
+  const int from = index(labels_.sector(edge.ends[0])), pages = table_.page_count();
+  const int i = edge.rotation > 0 ? (k - from - 1 + pages) % pages : (from - k + pages) % pages;
+  return i < edge.pages() ? static_cast<int>(edge.first) + i : -1;
+}
+
+bool EdgeCrossings::ascends(const CrossedEdge& edge, Feature feature) const {
+  if (contains(edge.levels, feature))
+    return contains(labels_.inside_of(edge.ends[0]), feature);
+  return edge.rotation > 0;
 }
 
 Point EdgeCrossings::position(const RefinedComplex& complex, std::size_t edge,

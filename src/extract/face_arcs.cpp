@@ -84,7 +84,7 @@ SpinePoint locate(const RefinableField& field, const std::array<VertexId, 3>& fa
 int winding(const EdgeCrossings& crossings, VertexId a, VertexId b, VertexId c) {
   return (directed_rotation(crossings, a, b) + directed_rotation(crossings, b, c) +
           directed_rotation(crossings, c, a)) /
-         kPages;
+         crossings.table().page_count();
 }
 
 FaceSpinePoints::FaceSpinePoints(const RefinedComplex& complex,

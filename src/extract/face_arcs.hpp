@@ -32,7 +32,7 @@ class FaceSpinePoints {
 };
 
 /// How often (p, q) winds around the origin along the boundary of a face a -> b -> c -> a: the sum
-/// of the rotations over six; -1, 0 or 1.
+/// of the rotations over the number of pages; -1, 0 or 1.
 int winding(const EdgeCrossings& crossings, VertexId a, VertexId b, VertexId c);
 
 }  // namespace triplex
