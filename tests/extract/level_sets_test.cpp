@@ -201,17 +201,19 @@ TEST(LevelSets, ObeyTheLaws) {
   grid.jitter = 0.15;
   const TensorField field = generate_noise(grid);
   ExtractionOptions options;
-  const Feature s = options.table.add_magnitude(3);
+  const Feature s = options.table.add_magnitude(1.5);
   const Feature a = options.table.add_isotropicity(0.25);
   const Feature b = options.table.add_isotropicity(-0.25);
   options.features = bit(s) | bit(a) | bit(b);
+  options.max_bisections = 1000;
   options.threads = 1;
   const Extraction one = extract(field, options);
   options.threads = 2;
   const Extraction two = extract(test::relabelled(field, 5), options);
   const Extraction minus = extract(test::mapped(field, test::negated), options);
   ExtractionOptions scaled_options;
-  scaled_options.features = bit(scaled_options.table.add_magnitude(0x1.8p301));
+  scaled_options.max_bisections = 1000;
+  scaled_options.features = bit(scaled_options.table.add_magnitude(0x1.8p300));
   const Extraction scaled = extract(test::mapped(field,
                                                  [](Tensor<double> t) {
                                                    for (double& x : t) x *= 0x1p300;
