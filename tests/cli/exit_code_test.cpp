@@ -61,6 +61,22 @@ TEST(Usage, MistakesAreNamed) {
   expect_refused(run({"extract", "field.vtu", "-o", out, "--bogus"}), "--bogus");
   expect_refused(run({"extract", "field.vtu", "-o", out, "--threads", "-1"}), "--threads");
   expect_refused(run({"extract", "field.vtu", "-o", out, "--features", "balanced"}), "'balanced'");
+  const auto extract_with = [&](const std::string& option, const std::string& value) {
+    return run({"extract", "field.vtu", "-o", out, option, value});
+  };
+  expect_refused(extract_with("--features", "none"), "no other feature");
+  expect_refused(extract_with("--features", "none,neutral-real"), "'none'");
+  expect_refused(extract_with("--mode", "1/2"), "two commas");
+  expect_refused(extract_with("--mode", "1/2,-,x"), "'x' is no sign");
+  expect_refused(extract_with("--mode", "half,-,+"), "'half' is no number");
+  expect_refused(extract_with("--mode", "-1,-,+"), "'-1' is no number");
+  expect_refused(extract_with("--mode", "1/2,0,+"), "p is 0 only where the mode is inf");
+  expect_refused(extract_with("--mode", "1/1000001,-,+"), "may not exceed 100000");
+  expect_refused(extract_with("--magnitude", "0"), "must be positive");
+  expect_refused(extract_with("--magnitude", "big"), "--magnitude");
+  expect_refused(extract_with("--isotropicity", "-1"), "between -1 and 1");
+  expect_refused(extract_with("--arrays", "p,vorticity"), "'vorticity'");
+  expect_refused(extract_with("--format", "vtp,dae"), "'dae'");
   expect_refused(run({"generate", "lorentz", "-o", out + ".vtu"}), "'lorentz'");
   expect_refused(run({"generate", "lorenz", "-o", out + ".obj"}), ".vtu or .vtk");
   expect_refused(run({"generate", "lorenz", "-n", "0", "-o", out + ".vtu"}), "-n");
