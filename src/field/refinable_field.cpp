@@ -104,6 +104,14 @@ Point RefinableField::position(VertexId v) const {
   return {static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2])};
 }
 
+std::vector<VertexId> RefinableField::corners(VertexId v) const {
+  const Combination c = combination(v);
+  std::vector<VertexId> r;
+  for (int i = 0; i < 4; ++i)
+    if (c.numerators[i] != 0) r.push_back(c.vertices[i]);
+  return r;
+}
+
 std::optional<VertexId> RefinableField::add_midpoint(VertexId a, VertexId b) {
   const std::array<Combination, 2> ends = {combination(a), combination(b)};
   Combination middle;

@@ -7,8 +7,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "bisection.hpp"
+#include "leaf_lookup.hpp"
+#include "triplex/certify/sweep.hpp"
 
 namespace triplex {
 namespace {
@@ -85,8 +88,8 @@ class Refinement {
       tbb::parallel_for(tbb::blocked_range<std::size_t>(start, end, kGrain),
                         [&](const auto& range) {
                           SignStages& stages = stages_.local();
-                          for (std::size_t n = range.begin(); n < range.end(); ++n)
-                            wishes_[n] = certify(n, stages);
+                          for (std::size_t n = range.begin(); n < range.end(); n += kSweepBlock)
+                            certify_block(n, std::min(n + kSweepBlock, range.end()), stages);
                         });
       if (options_.progress) options_.progress(progress(end));
     }
@@ -95,6 +98,28 @@ class Refinement {
   double progress(std::size_t done) const {
     return complex_.rounds > 0 ? -1
                                : static_cast<double>(done) / static_cast<double>(pending_.size());
+  }
+
+  /// The sweep first; one by one only the tets that it leaves.
+  void certify_block(std::size_t begin, std::size_t end, SignStages& stages) {
+    std::array<std::array<VertexId, 4>, kSweepBlock> cells;
+    std::array<SweptCell, kSweepBlock> swept;
+    const std::size_t count = end - begin;
+    for (std::size_t i = 0; i < count; ++i)
+      cells[i] = complex_.leaves[pending_[begin + i]].vertices;
+    sweep_cells(complex_.field, std::span(cells).first(count), complex_.sectors, options_.features,
+                std::span(swept).first(count), stages);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!swept[i].settled) {
+        wishes_[begin + i] = certify(begin + i, stages);
+        continue;
+      }
+      Leaf& leaf = complex_.leaves[pending_[begin + i]];
+      leaf.graph = swept[i].graph;
+      leaf.open = 0;
+      leaf.has_spine_proof = false;
+      leaf.obstacle = Obstacle::None;
+    }
   }
 
   Mark certify(std::size_t n, SignStages& stages) {
@@ -115,14 +140,15 @@ class Refinement {
       complex_.hit_size_limit = true;
       return marks;
     }
-    const std::vector<std::uint32_t> spent_before = spent_;
+    std::vector<TetId> asking;
     for (std::size_t n = 0; n < pending_.size(); ++n) {
       const Leaf& leaf = complex_.leaves[pending_[n]];
       if (leaf.open == 0 || leaf.obstacle == Obstacle::Vertex) continue;
-      if (spent_before[index(leaf.input)] >= options_.max_bisections) continue;
-      spent_[index(leaf.input)] += 1;
+      if (spent_[index(leaf.input)] >= options_.max_bisections) continue;
+      asking.push_back(leaf.input);
       marks.push_back(wishes_[n]);
     }
+    for (const TetId tet : asking) spent_[index(tet)] += 1;
     return marks;
   }
 
@@ -131,24 +157,17 @@ class Refinement {
     const MarkedEdges marked(std::move(marks), complex_.field);
     complex_.bisections += marked.size();
 
-    touched_.assign(complex_.leaves.size(), 0);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, touched_.size(), 4096),
-                      [&](const auto& range) {
-                        for (std::size_t n = range.begin(); n < range.end(); ++n) {
-                          const Leaf& leaf = complex_.leaves[n];
-                          touched_[n] = marked.touches(leaf) && marked.first_in(leaf) != nullptr;
-                        }
-                      });
+    if (!lookup_) lookup_.emplace(complex_.field);
     std::vector<Leaf> parts;
-    for (std::size_t n = 0; n < touched_.size(); ++n) {
-      if (!touched_[n]) continue;
+    for (const std::uint32_t n : lookup_->leaves_with(marked, complex_.field, complex_.leaves)) {
       parts.clear();
       bisect(complex_.leaves[n], marked, parts);
       complex_.leaves[n] = parts.front();
-      pending_.push_back(static_cast<std::uint32_t>(n));
+      pending_.push_back(n);
       for (std::size_t i = 1; i < parts.size(); ++i) {
         pending_.push_back(static_cast<std::uint32_t>(complex_.leaves.size()));
         complex_.leaves.push_back(parts[i]);
+        lookup_->add_leaf(n);
       }
     }
   }
@@ -159,7 +178,7 @@ class Refinement {
   std::vector<std::uint32_t> spent_;    // bisections asked for, per input tet
   std::vector<std::uint32_t> pending_;  // leaves without a current certificate
   std::vector<Mark> wishes_;            // per pending leaf: the edge it would bisect
-  std::vector<std::uint8_t> touched_;
+  std::optional<LeafLookup> lookup_;    // from the first bisection on
 };
 
 }  // namespace
