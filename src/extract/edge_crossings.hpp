@@ -16,6 +16,8 @@ struct Crossing {
   Feature page;
   double t = 0;      ///< along the edge from its lower to its higher end
   double error = 1;  ///< the root is proven to lie within t +- error; 1 if nothing is proven
+  Point position{};
+  double p = 0, q = 0;  ///< of the deviator there, in the units of the input
 };
 
 /// An edge of the refined mesh whose ends lie in different sectors. Its crossings are the pages
@@ -43,7 +45,6 @@ class EdgeCrossings {
   const CrossedEdge* find(VertexId a, VertexId b) const;
   /// The crossing of a page on an edge that starts in `sector`, or -1.
   static int crossing_of(const CrossedEdge& edge, Sector sector, Feature page);
-  Point position(const RefinedComplex& complex, std::size_t edge, const Crossing& crossing) const;
 
  private:
   std::vector<CrossedEdge> edges_;

@@ -180,7 +180,7 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
   const std::vector<std::uint32_t> active = active_leaves(complex, labels);
   SignStages stages = complex.sign_stages;
   const EdgeCrossings crossings(complex, labels, active, options.features, stages);
-  const FaceSpinePoints spine_points(complex, active, crossings);
+  const FaceSpinePoints spine_points(complex, labels, active, crossings);
   open_unsettled(crossings, spine_points, active, options.features, complex);
   report("mesh");
   result.features = FeatureMeshBuilder(field, complex, labels, crossings, spine_points)

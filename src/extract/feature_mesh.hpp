@@ -42,7 +42,6 @@ class FeatureMeshBuilder {
   const std::vector<Sector>& labels_;
   const EdgeCrossings& crossings_;
   const FaceSpinePoints& spine_points_;
-  std::vector<std::uint32_t> edge_of_;  // crossing -> its edge
 };
 
 }  // namespace triplex

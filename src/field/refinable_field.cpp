@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace triplex {
 namespace {
@@ -50,10 +49,19 @@ ApproximateTensor approximate_input(const Tensor<double>& tensor, int exponent) 
 RefinableField::RefinableField(const TensorField& field)
     : field_(&field), input_of_(field.mesh.points.size()) {
   const auto& points = field.mesh.points;
-  std::iota(input_of_.begin(), input_of_.end(), 0u);
-  tbb::parallel_sort(input_of_.begin(), input_of_.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return points[a] != points[b] ? points[a] < points[b] : a < b;  // equal: unused points only
+  // Points beside their ids, so that comparing them does not jump through memory.
+  struct Numbered {
+    Point point;
+    std::uint32_t id;
+  };
+  std::vector<Numbered> sorted(points.size());
+  for (std::uint32_t i = 0; i < sorted.size(); ++i) sorted[i] = {points[i], i};
+  tbb::parallel_sort(sorted.begin(), sorted.end(), [](const Numbered& a, const Numbered& b) {
+    for (int k = 0; k < 3; ++k)
+      if (a.point[k] != b.point[k]) return a.point[k] < b.point[k];
+    return a.id < b.id;  // equal: unused points only
   });
+  for (std::size_t i = 0; i < sorted.size(); ++i) input_of_[i] = sorted[i].id;
   std::vector<VertexId> rank(points.size());
   for (std::size_t i = 0; i < input_of_.size(); ++i) rank[input_of_[i]] = VertexId(i);
 

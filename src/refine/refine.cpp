@@ -42,6 +42,12 @@ class Refinement {
   }
 
  private:
+  /// The edge that an open leaf would bisect.
+  struct Wish {
+    std::uint32_t leaf;
+    Mark mark;
+  };
+
   /// Vertices ascending; every swap flips the orientation, which the input check made positive.
   void place_input_tets() {
     const auto& tets = complex_.field.input_tets();
@@ -81,7 +87,6 @@ class Refinement {
 
   /// Certifies the pending tets; returns the edges that open ones ask to bisect.
   std::vector<Mark> certify_pending() {
-    wishes_.resize(pending_.size());
     for (std::size_t start = 0; start < pending_.size(); start += kSlice) {
       if (options_.interrupted && options_.interrupted->load()) throw RefinementInterrupted{};
       const std::size_t end = std::min(start + kSlice, pending_.size());
@@ -111,7 +116,7 @@ class Refinement {
                 std::span(swept).first(count), stages);
     for (std::size_t i = 0; i < count; ++i) {
       if (!swept[i].settled) {
-        wishes_[begin + i] = certify(begin + i, stages);
+        certify(begin + i, stages);
         continue;
       }
       Leaf& leaf = complex_.leaves[pending_[begin + i]];
@@ -122,7 +127,7 @@ class Refinement {
     }
   }
 
-  Mark certify(std::size_t n, SignStages& stages) {
+  void certify(std::size_t n, SignStages& stages) {
     Leaf& leaf = complex_.leaves[pending_[n]];
     const auto certificate =
         certify_cell(complex_.field, leaf.vertices, complex_.sectors, options_.features, stages);
@@ -130,7 +135,8 @@ class Refinement {
     leaf.open = certificate.open;
     leaf.has_spine_proof = certificate.has_spine_proof;
     leaf.obstacle = certificate.obstacle;
-    return {certificate.edge, certificate.variation};
+    if (certificate.open != 0 && certificate.obstacle != Obstacle::Vertex)
+      wishes_.local().push_back({pending_[n], {certificate.edge, certificate.variation}});
   }
 
   /// A tet may ask as long as its input tet had budget left when the round began.
@@ -141,12 +147,14 @@ class Refinement {
       return marks;
     }
     std::vector<TetId> asking;
-    for (std::size_t n = 0; n < pending_.size(); ++n) {
-      const Leaf& leaf = complex_.leaves[pending_[n]];
-      if (leaf.open == 0 || leaf.obstacle == Obstacle::Vertex) continue;
-      if (spent_[index(leaf.input)] >= options_.max_bisections) continue;
-      asking.push_back(leaf.input);
-      marks.push_back(wishes_[n]);
+    for (auto& wishes : wishes_) {
+      for (const Wish& wish : wishes) {
+        const TetId tet = complex_.leaves[wish.leaf].input;
+        if (spent_[index(tet)] >= options_.max_bisections) continue;
+        asking.push_back(tet);
+        marks.push_back(wish.mark);
+      }
+      wishes.clear();
     }
     for (const TetId tet : asking) spent_[index(tet)] += 1;
     return marks;
@@ -177,8 +185,8 @@ class Refinement {
   StagesPerThread stages_;
   std::vector<std::uint32_t> spent_;    // bisections asked for, per input tet
   std::vector<std::uint32_t> pending_;  // leaves without a current certificate
-  std::vector<Mark> wishes_;            // per pending leaf: the edge it would bisect
-  std::optional<LeafLookup> lookup_;    // from the first bisection on
+  tbb::enumerable_thread_specific<std::vector<Wish>> wishes_;  // in any order: marks are sorted
+  std::optional<LeafLookup> lookup_;                           // from the first bisection on
 };
 
 }  // namespace
