@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "triplex/certify/edge_side.hpp"
+
 namespace triplex {
 namespace {
 
@@ -35,14 +37,14 @@ class CellTracer {
       : leaf_(leaf), labels_(labels) {
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j)
-        edges_[kEdgeNumber[i][j]] = crossings.find(leaf.vertices[i], leaf.vertices[j]);
+        if (label(i) != label(j)) add_edge(i, j, crossings);
     find_spine(spine_points);
   }
 
   CellPatches run(FeatureSet features) {
     CellPatches result;
     for (int page = 0; page < kPages; ++page)
-      if (features & bit(page)) result.pages[page] = loops(static_cast<Feature>(page));
+      if (features & crossed_ & bit(page)) loops(static_cast<Feature>(page), result.pages[page]);
     if (features & bit(Feature::TripleCurve))
       for (const auto& [out, in] : spine_arcs_)
         result.spine.push_back({spine_vertex(out), spine_vertex(in)});
@@ -50,6 +52,12 @@ class CellTracer {
   }
 
  private:
+  Sector label(int i) const { return labels_[index(leaf_.vertices[i])]; }
+  void add_edge(int i, int j, const EdgeCrossings& crossings) {
+    const CrossedEdge* edge = crossings.find(leaf_.vertices[i], leaf_.vertices[j]);
+    edges_[kEdgeNumber[i][j]] = edge;
+    if (edge != nullptr) crossed_ |= pages_crossed(label(i), edge->rotation);
+  }
   /// Local vertices of a face, counter-clockwise seen from outside.
   std::array<int, 3> outward(int face) const {
     auto f = kOutwardFaces[face];
@@ -103,13 +111,13 @@ class CellTracer {
     if (exits > paired) next[leaving[paired]] = spine_node(face);
   }
 
-  std::vector<PatchLoop> loops(Feature page) const {
+  template <class Loops>
+  void loops(Feature page, Loops& result) const {
     std::array<int, kNodes> next;
     next.fill(-1);
     for (int face = 0; face < kFacesOfCell; ++face) trace_face(face, page, next);
     for (const auto& [out, in] : spine_arcs_) next[spine_node(out)] = spine_node(in);
 
-    std::vector<PatchLoop> result;
     for (int start = 0; start < kNodes; ++start) {
       PatchLoop loop;
       int node = start;
@@ -117,9 +125,8 @@ class CellTracer {
         loop.push_back(node < kEdges ? crossing_vertex(node, page) : spine_vertex(node - kEdges));
         node = std::exchange(next[node], -1);
       }
-      if (loop.size() >= 3) result.push_back(std::move(loop));
+      if (loop.size() >= 3) result.push_back(loop);
     }
-    return result;
   }
 
   int crossing(int e, Feature page) const {
@@ -137,7 +144,9 @@ class CellTracer {
   const std::vector<Sector>& labels_;
   std::array<const CrossedEdge*, kEdges> edges_{};
   std::array<int, kFacesOfCell> winding_{}, spine_number_{};
-  std::vector<std::array<int, 2>> spine_arcs_;  // faces: winding -1, winding +1
+  FeatureSet crossed_ = 0;  // pages
+  boost::container::static_vector<std::array<int, 2>, 2>
+      spine_arcs_;  // faces: winding -1, winding +1
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <boost/container/static_vector.hpp>
 #include <cstdint>
 #include <vector>
 
@@ -17,13 +18,16 @@ struct PatchVertex {
   std::uint8_t faces = 0;  ///< of the tet at hand, as bits: those that the vertex lies on
 };
 
+/// A page has at most one vertex per edge and per face of a tet.
+inline constexpr int kPatchVertices = 6 + 4;
 /// The oriented boundary of one patch of a page in a tet, normal towards growing angle of (p, q).
-using PatchLoop = std::vector<PatchVertex>;
+using PatchLoop = boost::container::static_vector<PatchVertex, kPatchVertices>;
 
-/// What one tet contributes.
+/// What one tet contributes. Nothing is allocated.
 struct CellPatches {
-  std::array<std::vector<PatchLoop>, kPages> pages;
-  std::vector<std::array<PatchVertex, 2>> spine;  ///< arcs of the triple degenerate curve
+  std::array<boost::container::static_vector<PatchLoop, kPatchVertices / 3>, kPages> pages;
+  /// Arcs of the triple degenerate curve.
+  boost::container::static_vector<std::array<PatchVertex, 2>, 2> spine;
 };
 
 /// The patches of a tet, by combinatorics alone: on each face an arc of a page joins the crossing

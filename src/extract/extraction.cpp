@@ -3,11 +3,13 @@
 #include "triplex/extract/extraction.hpp"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <chrono>
 
 #include "feature_mesh.hpp"
@@ -58,14 +60,20 @@ std::vector<Sector> labels_of(const RefinedComplex& complex) {
 /// Tets with vertices in more than one sector: only these can hold patches.
 std::vector<std::uint32_t> active_leaves(const RefinedComplex& complex,
                                          const std::vector<Sector>& labels) {
+  constexpr std::size_t kChunk = 1u << 15;
+  std::vector<std::vector<std::uint32_t>> parts((complex.leaves.size() + kChunk - 1) / kChunk);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+    const std::size_t end = std::min((part + 1) * kChunk, complex.leaves.size());
+    for (std::size_t n = part * kChunk; n < end; ++n) {
+      const auto& v = complex.leaves[n].vertices;
+      const Sector first = labels[index(v[0])];
+      if (labels[index(v[1])] != first || labels[index(v[2])] != first ||
+          labels[index(v[3])] != first)
+        parts[part].push_back(static_cast<std::uint32_t>(n));
+    }
+  });
   std::vector<std::uint32_t> active;
-  for (std::size_t n = 0; n < complex.leaves.size(); ++n) {
-    const auto& v = complex.leaves[n].vertices;
-    const Sector first = labels[index(v[0])];
-    if (labels[index(v[1])] != first || labels[index(v[2])] != first ||
-        labels[index(v[3])] != first)
-      active.push_back(static_cast<std::uint32_t>(n));
-  }
+  for (const auto& part : parts) active.insert(active.end(), part.begin(), part.end());
   return active;
 }
 
@@ -106,16 +114,34 @@ void open_unsettled(const EdgeCrossings& crossings, const FaceSpinePoints& spine
   }
 }
 
+/// std::popcount is a library call where the instruction may be missing; most sets are empty.
+unsigned count_bits(unsigned set) {
+  unsigned n = 0;
+  for (; set != 0; set &= set - 1) ++n;
+  return n;
+}
+
 CertificateCounts count_certificates(const RefinedComplex& complex, FeatureSet features) {
-  CertificateCounts counts;
-  for (const Leaf& leaf : complex.leaves) {
-    const unsigned requested = features;
-    counts.exclusion += std::popcount(requested & ~static_cast<unsigned>(leaf.graph | leaf.open));
-    counts.graph += std::popcount(static_cast<unsigned>(leaf.graph));
-    counts.unresolved += std::popcount(static_cast<unsigned>(leaf.open));
-    counts.spine += leaf.has_spine_proof;
-  }
-  return counts;
+  const auto add = [&](const auto& range, CertificateCounts counts) {
+    for (std::size_t n = range.begin(); n < range.end(); ++n) {
+      const Leaf& leaf = complex.leaves[n];
+      const unsigned requested = features;
+      counts.exclusion += count_bits(requested & ~static_cast<unsigned>(leaf.graph | leaf.open));
+      counts.graph += count_bits(leaf.graph);
+      counts.unresolved += count_bits(leaf.open);
+      counts.spine += leaf.has_spine_proof;
+    }
+    return counts;
+  };
+  const auto join = [](CertificateCounts a, const CertificateCounts& b) {
+    a.exclusion += b.exclusion;
+    a.graph += b.graph;
+    a.spine += b.spine;
+    a.unresolved += b.unresolved;
+    return a;
+  };
+  return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, complex.leaves.size(), 1u << 14),
+                              CertificateCounts{}, add, join);
 }
 
 /// The open leaves, gathered by tet of the input; the gravest obstacle names the reason.
