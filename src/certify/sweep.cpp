@@ -88,6 +88,7 @@ class Sweep {
     for (std::size_t n = 0; n < cells_.size(); n += W) {
       for (std::size_t i = 0; i < W; ++i)
         lanes[i] = static_cast<std::uint16_t>(std::min(n + i, cells_.size() - 1));
+      prefetch(n + W);
       exclude(lanes, std::min<std::size_t>(W, cells_.size() - n));
     }
     for (int s = 0; s < kSheets; ++s) certify(static_cast<Sheet>(s));
@@ -97,6 +98,17 @@ class Sweep {
   }
 
  private:
+  /// Vertices are numbered by place, tets as the file has them: the caches need to be told.
+  void prefetch(std::size_t begin) const {
+    const std::size_t end = std::min(begin + W, cells_.size());
+    for (std::size_t n = begin; n < end; ++n)
+      for (const VertexId v : cells_[n]) {
+        const char* tensor = reinterpret_cast<const char*>(&field_.approximate(v));
+        __builtin_prefetch(tensor);
+        __builtin_prefetch(tensor + sizeof(ApproximateTensor) - 1);
+      }
+  }
+
   struct Loaded {
     Forms<Lanes<W>, 4> forms;
     LaneBounds<W> bounds;

@@ -81,6 +81,22 @@ class PageFunction {
     return Certainty::Unknown;
   }
 
+  /// No sign can be proven nearer to a root than this: up to rounding, the evaluation's bound over
+  /// the largest slope. Saves questions; decides nothing.
+  double hopeless_distance(double t) const {
+    double dp = 0, dq = 0;
+    for (int i = 0; i < 2; ++i) dp = std::max(dp, 2 * std::fabs(f_.p[i + 1] - f_.p[i]));
+    for (int i = 0; i < 3; ++i) dq = std::max(dq, 3 * std::fabs(f_.q[i + 1] - f_.q[i]));
+    const Sheet sheet = row(page_).sheet;
+    const double bound = sheet == Sheet::Balanced ? bounds_.p_error : bounds_.q_error;
+    double slope = sheet == Sheet::Balanced ? dp : dq;
+    if (sheet != Sheet::Balanced && sheet != Sheet::Neutral) {
+      const double least = std::min({f_.p[0], f_.p[1], f_.p[2]});
+      slope += 3 * std::sqrt(std::max(0.0, -least) / 6) * dp;
+    }
+    return (bound - std::fabs((*this)(t))) / (2 * slope);
+  }
+
  private:
   const Forms<double, 2>& f_;
   const FormBounds& bounds_;
@@ -116,7 +132,10 @@ std::array<double, 2> part_of(const Simplex<2>& edge, Feature page) {
 double certified_error(const PageFunction& f, double t, bool rising) {
   const Certainty before = rising ? Certainty::Negative : Certainty::Positive;
   const Certainty after = rising ? Certainty::Positive : Certainty::Negative;
-  for (double error = 0x1p-50; error <= kWidestBracket; error *= 4) {
+  double error = 0x1p-50;
+  const double hopeless = std::min(f.hopeless_distance(t), kWidestBracket / 4);
+  while (error < hopeless) error *= 4;
+  for (; error <= kWidestBracket; error *= 4) {
     const bool left = t - error <= 0 || f.sign_at(t - error) == before;
     if (left && (t + error >= 1 || f.sign_at(t + error) == after)) return error;
   }

@@ -8,20 +8,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace triplex {
 namespace {
 
 double largest_entry(const Tensor<double>& t) {
   double m = 0;
-  for (const double x : t) m = std::fmax(m, std::fabs(x));
+  for (const double x : t) m = std::max(m, std::fabs(x));
   return m;
 }
 
 /// The exponent that brings the largest entry of the field into [1/2, 1); 0 for a zero field.
 int common_scale(const std::vector<Tensor<double>>& tensors) {
   double m = 0;
-  for (const auto& t : tensors) m = std::fmax(m, largest_entry(t));
+  for (const auto& t : tensors) m = std::max(m, largest_entry(t));
   int exponent = 0;
   if (m > 0) std::frexp(m, &exponent);
   return -exponent;
@@ -36,7 +37,11 @@ constexpr double kUnderflow = 0x1p-1070;
 /// is, and below gamma(4) times the largest computed entry.
 ApproximateTensor approximate_input(const Tensor<double>& tensor, int exponent) {
   Tensor<double> scaled;
-  for (int i = 0; i < 9; ++i) scaled[i] = std::ldexp(tensor[i], exponent);
+  // A product with a power of two is rounded as ldexp rounds, and is no call.
+  const bool is_normal = std::abs(exponent) <= 1000;
+  const double factor = is_normal ? std::ldexp(1.0, exponent) : 1;
+  for (int i = 0; i < 9; ++i)
+    scaled[i] = is_normal ? factor * tensor[i] : std::ldexp(tensor[i], exponent);
   ApproximateTensor r;
   r.a = triple_deviator(scaled);
   r.bounds.magnitude = largest_entry(r.a);
