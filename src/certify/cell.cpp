@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triplex/certify/cell.hpp"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 #include "triplex/certify/descartes.hpp"
@@ -19,14 +21,11 @@ constexpr std::array<std::array<int, 2>, 6> kEdges = {
 
 constexpr std::array<int, 4> kWhole = {0, 1, 2, 3};
 
-using SheetSet = unsigned;
-constexpr SheetSet sheet_bit(Sheet s) { return 1u << static_cast<unsigned>(s); }
-constexpr SheetSet kSpineSheets = sheet_bit(Sheet::Balanced) | sheet_bit(Sheet::Neutral);
+using SheetSet = std::uint32_t;
+constexpr SheetSet sheet_bit(int number) { return SheetSet{1} << number; }
+constexpr SheetSet kSpineSheets = sheet_bit(kBalancedSheet) | sheet_bit(kNeutralSheet);
 
 constexpr FeatureSet kCurve = bit(Feature::TripleCurve);
-constexpr FeatureSet kNeutral = bit(Feature::NeutralReal) | bit(Feature::NeutralComplex);
-constexpr FeatureSet kBalanced = bit(Feature::BalancedLinear) | bit(Feature::BalancedPlanar);
-constexpr FeatureSet kDegenerate = bit(Feature::DegenerateLinear) | bit(Feature::DegeneratePlanar);
 
 /// Local indices of N vertices; not deduced, the simplex beside it says N.
 template <int N>
@@ -49,9 +48,9 @@ class SignedSimplex {
       return sign_p() != Sign::Zero || sign_q() != Sign::Zero || excludes_spine(simplex_, stages_);
     });
   }
-  /// The sheet is absent (for a degenerate one: its page is) or a graph; on edges also if the spine
+  /// The sheet is absent (for a curved one: its page is) or a graph; on edges also if the spine
   /// is absent or the sheet is that of p or q: crossed at most once.
-  bool certifies(Sheet sheet, bool near_spine) {
+  bool certifies(const Sheet& sheet, bool near_spine) {
     return cheaply_first([&] { return attempt(sheet, near_spine); });
   }
 
@@ -82,32 +81,21 @@ class SignedSimplex {
     return sign.value;
   }
 
-  bool lacks_degenerate(Sign s) {
-    return sign_p() == Sign::Positive || sign_q() == -s ||
-           excludes_degenerate_page(simplex_, s, stages_);
+  bool lacks_page_of(const Sheet& sheet) {
+    return sign_p() == -sheet.sign_p || sign_q() == -sheet.sign_q ||
+           excludes_page(simplex_, sheet, stages_);
   }
-  bool attempt(Sheet sheet, bool near_spine) {
-    bool absent = false;
-    switch (sheet) {
-      case Sheet::Balanced:
-        absent = sign_p() != Sign::Zero;
-        break;
-      case Sheet::Neutral:
-        absent = sign_q() != Sign::Zero;
-        break;
-      case Sheet::DegenerateLinear:
-        absent = lacks_degenerate(Sign::Positive);
-        break;
-      case Sheet::DegeneratePlanar:
-        absent = lacks_degenerate(Sign::Negative);
-        break;
-    }
+  bool attempt(const Sheet& sheet, bool near_spine) {
+    const bool curved = sheet.kind == Sheet::Kind::Curved;
+    const bool absent = curved                                ? lacks_page_of(sheet)
+                        : sheet.kind == Sheet::Kind::Balanced ? sign_p() != Sign::Zero
+                                                              : sign_q() != Sign::Zero;
     if (absent || certifies_graph(simplex_, sheet, stages_)) return true;
-    const bool degenerate = sheet == Sheet::DegenerateLinear || sheet == Sheet::DegeneratePlanar;
     if constexpr (N == 2)
-      return (!degenerate || !near_spine) && certifies_one_root(simplex_, sheet, stages_);
-    // Last, as it costs most; the tet asks for it itself, once for both degenerate sheets.
-    return N == 3 && degenerate && uniform_sign_of_discriminant(simplex_, stages_) != Sign::Zero;
+      return (!curved || !near_spine) && certifies_one_root(simplex_, sheet, stages_);
+    // Last, as it costs most; the tet asks for it itself, once for all sheets with the same mode.
+    return N == 3 && curved &&
+           uniform_sign_of_discriminant(simplex_, sheet.map, stages_) != Sign::Zero;
   }
 
   Simplex<N> simplex_;
@@ -116,21 +104,17 @@ class SignedSimplex {
 };
 
 /// Which of the requested features a tet may hold.
-FeatureSet possible_features(SignedSimplex<4>& cell, FeatureSet requested, SignStages& stages) {
+FeatureSet possible_features(SignedSimplex<4>& cell, const FeatureTable& table,
+                             FeatureSet requested, SignStages& stages) {
   FeatureSet possible = requested;
-  const Sign p = cell.sign_p(), q = cell.sign_q();
-  if (p != Sign::Zero) possible &= ~(kBalanced | kCurve);
-  if (q != Sign::Zero) possible &= ~(kNeutral | kCurve);
-  if (p == Sign::Positive) possible &= ~(kDegenerate | bit(Feature::NeutralReal));
-  if (p == Sign::Negative) possible &= ~bit(Feature::NeutralComplex);
-  if (q == Sign::Negative)
-    possible &= ~(bit(Feature::BalancedLinear) | bit(Feature::DegenerateLinear));
-  if (q == Sign::Positive)
-    possible &= ~(bit(Feature::BalancedPlanar) | bit(Feature::DegeneratePlanar));
-  for (const Sign s : {Sign::Positive, Sign::Negative}) {
-    const auto page =
-        bit(s == Sign::Positive ? Feature::DegenerateLinear : Feature::DegeneratePlanar);
-    if ((possible & page) && excludes_degenerate_page(*cell, s, stages)) possible &= ~page;
+  if (const Sign p = cell.sign_p(); p != Sign::Zero) possible &= table.with_sign_of_p(p);
+  if (const Sign q = cell.sign_q(); q != Sign::Zero) possible &= table.with_sign_of_q(q);
+  const auto& sheets = table.sheets();
+  for (int s = kFlatSheets; s < static_cast<int>(sheets.size()); ++s) {
+    const Feature page = table.curved_page(s);
+    if (contains(possible, page) &&
+        excludes_page(*cell, sheets[static_cast<std::size_t>(s)], stages))
+      possible &= ~bit(page);
   }
   return possible;
 }
@@ -139,9 +123,14 @@ FeatureSet possible_features(SignedSimplex<4>& cell, FeatureSet requested, SignS
 class CellCheck {
  public:
   CellCheck(const RefinableField& field, const std::array<VertexId, 4>& vertices,
-            SectorTable sectors, FeatureSet requested, SignStages& stages)
-      : vertices_(vertices), sectors_(sectors), stages_(stages), cell_(stages, field, vertices) {
-    possible_ = possible_features(cell_, requested, stages);
+            SectorTable sectors, const FeatureTable& table, FeatureSet requested,
+            SignStages& stages)
+      : vertices_(vertices),
+        sectors_(sectors),
+        table_(table),
+        stages_(stages),
+        cell_(stages, field, vertices) {
+    possible_ = possible_features(cell_, table, requested, stages);
     result_.excluded = requested & ~possible_;
   }
 
@@ -162,8 +151,7 @@ class CellCheck {
     needed_ = sheets_of_possible() | (has_spine_ ? kSpineSheets : 0);
 
     check(Obstacle::Cell, cell_, kWhole);
-    if (failed_ & (sheet_bit(Sheet::DegenerateLinear) | sheet_bit(Sheet::DegeneratePlanar)))
-      try_discriminant();
+    if (failed_ & ~kSpineSheets) try_discriminants();
     if (possible_ == 0) return;
     for (const auto& face : kFaces) check_face(face);
     for (const auto& edge : kEdges) {
@@ -179,25 +167,52 @@ class CellCheck {
     possible_ &= ~features;
   }
 
-  /// D of one sign leaves neither degenerate page nor spine, so what they needed falls away. D > 0
-  /// keeps (p, q) in the half plane p < 0; for D < 0 it is p and q, certified on the edges, that
-  /// fix the rotations.
-  void try_discriminant() {
-    const Sign sign = uniform_sign_of_discriminant(*cell_, stages_);
-    if (sign == Sign::Zero) return;
-    exclude(kDegenerate | kCurve);
-    rotations_need_both_ = has_spine_ && sign == Sign::Negative;
-    has_spine_ = false;
+  /// D of the mapped forms of one sign leaves neither page of that mode and sign of p, nor the
+  /// spine, so what they needed falls away. D > 0 keeps (p, q) in a half plane, where p has the
+  /// sign of the pages; for D < 0 it is p and q, certified on the edges, that fix the rotations.
+  void try_discriminants() {
+    MapList maps = maps_of(failed_);
+    bool found = false;
+    for (const ModeMap& map : maps.span()) {
+      const Sign sign = uniform_sign_of_discriminant(*cell_, map, stages_);
+      if (sign == Sign::Zero) continue;
+      exclude(pages_of(map) | kCurve);
+      if (sign == Sign::Positive) rotations_need_both_ = false;
+      has_spine_ = false;
+      found = true;
+    }
+    if (!found) return;
     failed_ = 0;
     result_.obstacle = Obstacle::None;
     needed_ = sheets_of_possible() | (rotations_need_both_ ? kSpineSheets : 0);
     check(Obstacle::Cell, cell_, kWhole);
   }
 
+  struct MapList {
+    std::array<ModeMap, kMaxFeatures> maps;
+    std::size_t count = 0;
+    std::span<const ModeMap> span() const { return {maps.data(), count}; }
+  };
+  /// The maps of the curved sheets in a set, each once.
+  MapList maps_of(SheetSet set) const {
+    MapList list;
+    for (std::size_t s = kFlatSheets; s < table_.sheets().size(); ++s) {
+      const ModeMap& map = table_.sheets()[s].map;
+      if ((set >> s & 1u) && !std::ranges::count(list.span(), map)) list.maps[list.count++] = map;
+    }
+    return list;
+  }
+  FeatureSet pages_of(const ModeMap& map) const {
+    FeatureSet pages = 0;
+    for (std::size_t s = kFlatSheets; s < table_.sheets().size(); ++s)
+      if (table_.sheets()[s].map == map) pages |= bit(table_.curved_page(static_cast<int>(s)));
+    return pages;
+  }
   SheetSet sheets_of_possible() const {
     SheetSet sheets = 0;
-    for (int page = 0; page < kPages; ++page)
-      if (possible_ & bit(page)) sheets |= sheet_bit(row(static_cast<Feature>(page)).sheet);
+    for (int k = 0; k < table_.page_count(); ++k)
+      if (contains(possible_, table_.page(k)))
+        sheets |= sheet_bit(table_.sheet_number(table_.page(k)));
     return sheets;
   }
 
@@ -222,7 +237,7 @@ class CellCheck {
       int winding = 0;
       for (int i = 0; i < 3; ++i) {
         const VertexId a = vertices_[face[i]], b = vertices_[face[(i + 1) % 3]];
-        const auto rotation = rotation_along((*cell_).field(), a, b, sector(a), sector(b), stages_);
+        const auto rotation = rotation_along((*cell_).field(), a, b, sector(a), sector(b), table_, stages_);
         if (!rotation) return 4;
         winding += *rotation;
       }
@@ -235,17 +250,15 @@ class CellCheck {
   template <int N>
   void check(Obstacle obstacle, SignedSimplex<N>& simplex, const Local<N>& local) {
     SheetSet failed = 0;
-    for (int s = 0; s < kSheets; ++s)
-      if ((needed_ >> s & 1u) && !simplex.certifies(static_cast<Sheet>(s), has_spine_))
-        failed |= 1u << s;
+    for (std::size_t s = 0; s < table_.sheets().size(); ++s)
+      if ((needed_ >> s & 1u) && !simplex.certifies(table_.sheets()[s], has_spine_))
+        failed |= sheet_bit(static_cast<int>(s));
     if (failed == 0) return;
     failed_ |= failed;
-    const bool degenerate =
-        failed & (sheet_bit(Sheet::DegenerateLinear) | sheet_bit(Sheet::DegeneratePlanar));
     block(obstacle, *simplex, local,
-          {.p = (failed & sheet_bit(Sheet::Balanced)) != 0,
-           .q = (failed & sheet_bit(Sheet::Neutral)) != 0,
-           .discriminant = degenerate});
+          {.p = (failed & sheet_bit(kBalancedSheet)) != 0,
+           .q = (failed & sheet_bit(kNeutralSheet)) != 0,
+           .discriminants = maps_of(failed).span()});
   }
 
   template <int N>
@@ -263,10 +276,10 @@ class CellCheck {
   void conclude() {
     const bool spine_open =
         rotations_need_both_ && (spine_failed_ || (failed_ & kSpineSheets) != 0);
-    for (int page = 0; page < kPages; ++page) {
-      if (!(possible_ & bit(page))) continue;
-      const bool failed =
-          (failed_ & sheet_bit(row(static_cast<Feature>(page)).sheet)) || spine_open;
+    for (int k = 0; k < table_.page_count(); ++k) {
+      const Feature page = table_.page(k);
+      if (!contains(possible_, page)) continue;
+      const bool failed = (failed_ & sheet_bit(table_.sheet_number(page))) || spine_open;
       (failed ? result_.open : result_.graph) |= bit(page);
     }
     if (possible_ & kCurve) (spine_open ? result_.open : result_.graph) |= kCurve;
@@ -281,9 +294,10 @@ class CellCheck {
     for (const auto& edge : kEdges) {
       const VertexId a = vertices_[edge[0]], b = vertices_[edge[1]];
       if (sector(a) == sector(b)) continue;
-      const auto rotation = rotation_along((*cell_).field(), a, b, sector(a), sector(b), stages_);
-      FeatureSet wrong = kAllFeatures;
-      if (rotation) wrong = result_.excluded & pages_crossed(sector(a), *rotation);
+      const auto rotation =
+          rotation_along((*cell_).field(), a, b, sector(a), sector(b), table_, stages_);
+      FeatureSet wrong = table_.all();
+      if (rotation) wrong = result_.excluded & pages_crossed(table_, sector(a), *rotation);
       if (wrong == 0) continue;
       // Wrong rotations may also make a face look as if the spine went through it.
       wrong = (wrong | kCurve) & (result_.excluded | result_.graph);
@@ -296,6 +310,7 @@ class CellCheck {
 
   const std::array<VertexId, 4>& vertices_;
   SectorTable sectors_;
+  const FeatureTable& table_;
   SignStages& stages_;
   SignedSimplex<4> cell_;
   FeatureSet possible_ = 0;
@@ -323,12 +338,15 @@ std::string_view describe(Obstacle obstacle) {
       return "(p, q) not proven injective on a face";
     case Obstacle::SpineCell:
       return "triple degenerate curve not proven to be one arc";
+    case Obstacle::LevelSet:
+      return "the tensors at the outer vertices not separated from the level set";
   }
   return "";
 }
 
 CellCertificate certify_cell(const RefinableField& field, const std::array<VertexId, 4>& vertices,
-                             SectorTable sectors, FeatureSet requested, SignStages& stages) {
+                             SectorTable sectors, const FeatureTable& table, FeatureSet requested,
+                             SignStages& stages) {
   for (const VertexId v : vertices) {
     if (sectors[index(v)] != kOpenSector) continue;
     CellCertificate open;
@@ -336,7 +354,7 @@ CellCertificate certify_cell(const RefinableField& field, const std::array<Verte
     open.obstacle = Obstacle::Vertex;
     return open;
   }
-  return CellCheck(field, vertices, sectors, requested, stages).run();
+  return CellCheck(field, vertices, sectors, table, requested, stages).run();
 }
 
 }  // namespace triplex

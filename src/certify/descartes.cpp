@@ -7,6 +7,7 @@
 
 #include "error_bounds.hpp"
 #include "triplex/bernstein/discriminant.hpp"
+#include "triplex/certify/mode_page.hpp"
 
 namespace triplex {
 namespace {
@@ -45,19 +46,19 @@ class SignChanges {
 };
 
 struct OneRoot {
-  Sheet sheet;
+  Sheet::Kind kind;
 
   template <class NT>
   Verdict operator()(const Forms<NT, 2>& f, const FormBounds& bounds) const {
     SignChanges changes;
-    switch (sheet) {
-      case Sheet::Balanced:
+    switch (kind) {
+      case Sheet::Kind::Balanced:
         for (const NT& p : f.p) changes.add(certainty(p, bounds.p_error));
         break;
-      case Sheet::Neutral:
+      case Sheet::Kind::Neutral:
         for (const NT& q : f.q) changes.add(certainty(q, bounds.q_error));
         break;
-      default: {
+      case Sheet::Kind::Curved: {
         const auto d = minus_discriminant(f);
         const double error = discriminant_coefficient_error(bounds);
         for (std::size_t n = 0; n < d.size(); ++n)
@@ -70,8 +71,8 @@ struct OneRoot {
 
 }  // namespace
 
-bool certifies_one_root(const Simplex<2>& edge, Sheet sheet, SignStages& stages) {
-  return edge.decide(OneRoot{sheet}, stages);
+bool certifies_one_root(const Simplex<2>& edge, const Sheet& sheet, SignStages& stages) {
+  return edge.decide(Mapped<OneRoot>{sheet.map, {sheet.kind}}, stages);
 }
 
 }  // namespace triplex

@@ -72,25 +72,30 @@ std::optional<Sign> q_at_root_of_p(const RefinableField& field, VertexId a, Vert
 }
 
 std::optional<int> rotation_along(const RefinableField& field, VertexId a, VertexId b,
-                                  Sector sector_a, Sector sector_b, SignStages& stages) {
+                                  Sector sector_a, Sector sector_b, const FeatureTable& table,
+                                  SignStages& stages) {
   const int i = index(sector_a);
   const int j = index(sector_b);
   if (i == j) return 0;
-  if (sign_p(sector_a) == sign_p(sector_b)) {
-    if (sign_p(sector_a) == Sign::Negative) return j - i;  // sectors 1..4, by page 3 if at all
-    return i < j ? -1 : 1;                                 // sectors 0 and 5, by page 0
+  const Sign p_a = table.sign_p(sector_a);
+  Sign side = Sign::Positive;  // where p keeps its positive sign, counting as through q > 0 serves
+  if (p_a == table.sign_p(sector_b)) {
+    if (p_a == Sign::Negative) return j - i;
+  } else {
+    side = table.sign_q(sector_a);
+    if (side != table.sign_q(sector_b)) {
+      const auto decided = q_at_root_of_p(field, a, b, stages);
+      if (!decided) return std::nullopt;
+      side = *decided;
+    }
   }
-  Sign side = sign_q(sector_a);
-  if (side != sign_q(sector_b)) {
-    const auto decided = q_at_root_of_p(field, a, b, stages);
-    if (!decided) return std::nullopt;
-    side = *decided;
-  }
-  // Through page 1 (q > 0): count sectors 5, 0, 1, ..., 4 as -1, 0, 1, ..., 4.
-  // Through page 5 (q < 0): count sectors 1, ..., 5, 0 as 1, ..., 5, 6.
-  const auto unrolled = [side](int sector) {
-    if (side == Sign::Positive) return sector == 5 ? -1 : sector;
-    return sector == 0 ? 6 : sector;
+  // Through q > 0 the sectors of p > 0, q < 0 count from below zero; through q < 0 those of p > 0,
+  // q > 0 count beyond the others.
+  const int pages = table.page_count();
+  const auto unrolled = [&](int sector) {
+    if (side == Sign::Positive)
+      return sector >= table.position(Feature::BalancedPlanar) ? sector - pages : sector;
+    return sector < table.position(Feature::BalancedLinear) ? sector + pages : sector;
   };
   return unrolled(j) - unrolled(i);
 }

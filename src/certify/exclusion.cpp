@@ -7,6 +7,7 @@
 
 #include "error_bounds.hpp"
 #include "triplex/bernstein/discriminant.hpp"
+#include "triplex/certify/mode_page.hpp"
 #include "triplex/certify/witness.hpp"
 
 namespace triplex {
@@ -196,19 +197,27 @@ Sign uniform_sign_of_q(const Simplex<N>& simplex, SignStages& stages) {
 }
 
 template <int N>
-bool excludes_degenerate_page(const Simplex<N>& simplex, Sign s, SignStages& stages) {
+bool excludes_page(const Simplex<N>& simplex, const Sheet& sheet, SignStages& stages) {
+  const Sign s = sheet.sign_q;
   // The sign of q at a corner says which of the two can hold at all.
   const double q = simplex.approximate().q[0];
-  if ((s == Sign::Positive ? q : -q) > 0 && simplex.decide(BeyondCurve{s}, stages)) return true;
-  return simplex.decide(InsideTangent{s, best_tangent(simplex.approximate(), s)}, stages);
+  if ((s == Sign::Positive ? q : -q) > 0 &&
+      simplex.decide(Mapped<BeyondCurve>{sheet.map, {s}}, stages))
+    return true;
+  const double v = with_mapped_doubles(
+      simplex, sheet.map, [s](const auto& f, const FormBounds&) { return best_tangent(f, s); });
+  return simplex.decide(Mapped<InsideTangent>{sheet.map, {s, v}}, stages);
 }
 
 template <int N>
-Sign uniform_sign_of_discriminant(const Simplex<N>& simplex, SignStages& stages) {
-  const auto& f = simplex.approximate();
-  const double corner = -(2 * f.p[0] * f.p[0] * f.p[0] + 3 * f.q[0] * f.q[0]);
-  const Sign likely = corner < 0 ? Sign::Negative : Sign::Positive;
-  return simplex.decide(UniformDiscriminant{likely}, stages) ? likely : Sign::Zero;
+Sign uniform_sign_of_discriminant(const Simplex<N>& simplex, const ModeMap& map,
+                                  SignStages& stages) {
+  const Sign likely =
+      with_mapped_doubles(simplex, map, [](const auto& f, const FormBounds&) {
+        const double corner = -(2 * f.p[0] * f.p[0] * f.p[0] + 3 * f.q[0] * f.q[0]);
+        return corner < 0 ? Sign::Negative : Sign::Positive;
+      });
+  return simplex.decide(Mapped<UniformDiscriminant>{map, {likely}}, stages) ? likely : Sign::Zero;
 }
 
 template <int N>
@@ -229,11 +238,11 @@ bool excludes_spine(const Simplex<N>& simplex, SignStages& stages) {
   return simplex.decide(InHalfPlane{d[0] * weight_r, d[1] * weight_q}, stages);
 }
 
-#define TRIPLEX_INSTANTIATE(N)                                                     \
-  template Sign uniform_sign_of_p<N>(const Simplex<N>&, SignStages&);              \
-  template Sign uniform_sign_of_q<N>(const Simplex<N>&, SignStages&);              \
-  template bool excludes_degenerate_page<N>(const Simplex<N>&, Sign, SignStages&); \
-  template Sign uniform_sign_of_discriminant<N>(const Simplex<N>&, SignStages&);   \
+#define TRIPLEX_INSTANTIATE(N)                                                                   \
+  template Sign uniform_sign_of_p<N>(const Simplex<N>&, SignStages&);                            \
+  template Sign uniform_sign_of_q<N>(const Simplex<N>&, SignStages&);                            \
+  template bool excludes_page<N>(const Simplex<N>&, const Sheet&, SignStages&);                  \
+  template Sign uniform_sign_of_discriminant<N>(const Simplex<N>&, const ModeMap&, SignStages&); \
   template bool excludes_spine<N>(const Simplex<N>&, SignStages&);
 TRIPLEX_INSTANTIATE(2)
 TRIPLEX_INSTANTIATE(3)

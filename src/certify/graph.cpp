@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "triplex/certify/mode_page.hpp"
 #include "triplex/certify/witness.hpp"
 
 namespace triplex {
@@ -101,9 +102,9 @@ struct BoundsV {
 /// Witness for `BoundsV`, widened so that the filter can confirm it: by 2^-20 (rounding to few
 /// bits moves it by 2^-26), and by the error of P.
 template <int N>
-BoundsV range_of_v(const Simplex<N>& simplex) {
-  const auto [least, most] = std::ranges::minmax(simplex.approximate().p);
-  const double margin = 4 * simplex.bounds().p_error + gamma(16) * simplex.bounds().p_magnitude;
+BoundsV range_of_v(const Forms<double, N>& f, const FormBounds& bounds) {
+  const auto [least, most] = std::ranges::minmax(f.p);
+  const double margin = 4 * bounds.p_error + gamma(16) * bounds.p_magnitude;
   BoundsV range{};
   range.high = std::sqrt(std::max(0.0, -least + margin) / 6) * (1 + 0x1p-20);
   range.low = std::sqrt(std::max(0.0, -most - margin) / 6) * (1 - 0x1p-20);
@@ -135,32 +136,47 @@ std::array<double, 3> direction_for(const Forms<double, N>& f, const std::array<
 
 bool is_zero(const std::array<double, 3>& d) { return d[0] == 0 && d[1] == 0 && d[2] == 0; }
 
+/// Bounds on v and a direction for a curved sheet, found among the mapped doubles.
+struct CurvedWitness {
+  BoundsV range;
+  SheetIncreases increases;
+};
+template <int N>
+CurvedWitness curved_witness(const Forms<double, N>& f, const FormBounds& bounds, Sign sign_q) {
+  const BoundsV range = range_of_v(f, bounds);
+  const double s = sign_q == Sign::Positive ? 1 : -1;
+  const std::array<double, 2> sv = {s * range.low, s * range.high};
+  return {range, {direction_for(f, sv, 2), sv, 2}};
+}
+
 }  // namespace
 
 template <int N>
-bool certifies_graph(const Simplex<N>& simplex, Sheet sheet, SignStages& stages) {
-  const auto& f = simplex.approximate();
-  if (sheet == Sheet::Balanced) {
-    const auto d = direction_for_p(f);
-    return !is_zero(d) && simplex.decide(PIncreases{d}, stages);
+bool certifies_graph(const Simplex<N>& simplex, const Sheet& sheet, SignStages& stages) {
+  switch (sheet.kind) {
+    case Sheet::Kind::Balanced: {
+      const auto d = direction_for_p(simplex.approximate());
+      return !is_zero(d) && simplex.decide(PIncreases{d}, stages);
+    }
+    case Sheet::Kind::Neutral: {
+      const auto d = direction_for(simplex.approximate(), {}, 1);
+      return !is_zero(d) && simplex.decide(SheetIncreases{d, {}, 1}, stages);
+    }
+    case Sheet::Kind::Curved: {
+      const CurvedWitness w = with_mapped_doubles(
+          simplex, sheet.map, [&](const auto& f, const FormBounds& bounds) {
+            return curved_witness(f, bounds, sheet.sign_q);
+          });
+      return !is_zero(w.increases.d) &&
+             simplex.decide(Mapped<BoundsV>{sheet.map, w.range}, stages) &&
+             simplex.decide(Mapped<SheetIncreases>{sheet.map, w.increases}, stages);
+    }
   }
-  std::array<double, 2> sv{};
-  int ends = 1;
-  if (sheet != Sheet::Neutral) {
-    const BoundsV range = range_of_v(simplex);
-    const double s = sheet == Sheet::DegenerateLinear ? 1 : -1;
-    sv = {s * range.low, s * range.high};
-    ends = 2;
-    const auto d = direction_for(f, sv, ends);
-    return !is_zero(d) && simplex.decide(range, stages) &&
-           simplex.decide(SheetIncreases{d, sv, ends}, stages);
-  }
-  const auto d = direction_for(f, sv, ends);
-  return !is_zero(d) && simplex.decide(SheetIncreases{d, sv, ends}, stages);
+  return false;
 }
 
-template bool certifies_graph<2>(const Simplex<2>&, Sheet, SignStages&);
-template bool certifies_graph<3>(const Simplex<3>&, Sheet, SignStages&);
-template bool certifies_graph<4>(const Simplex<4>&, Sheet, SignStages&);
+template bool certifies_graph<2>(const Simplex<2>&, const Sheet&, SignStages&);
+template bool certifies_graph<3>(const Simplex<3>&, const Sheet&, SignStages&);
+template bool certifies_graph<4>(const Simplex<4>&, const Sheet&, SignStages&);
 
 }  // namespace triplex

@@ -3,17 +3,16 @@
 #include "triplex/certify/sweep.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <optional>
 
 #include "sweep_graph.hpp"
-#include "triplex/certify/edge_side.hpp"
 
 namespace triplex {
 namespace {
 
 constexpr FeatureSet kNeutral = bit(Feature::NeutralReal) | bit(Feature::NeutralComplex);
 constexpr FeatureSet kBalanced = bit(Feature::BalancedLinear) | bit(Feature::BalancedPlanar);
-constexpr int kSectors = 6;
+constexpr int kSectors = kStandardPages;
 
 /// What the lanes of the first pass say, as bits of one number.
 enum Finding : unsigned {
@@ -60,20 +59,26 @@ struct CrossingTable {
   constexpr CrossingTable() {
     for (int i = 0; i < kSectors; ++i)
       for (int j = 0; j < kSectors; ++j) {
-        const auto a = static_cast<Sector>(i), b = static_cast<Sector>(j);
-        if (sign_p(a) != sign_p(b) && sign_q(a) != sign_q(b)) {
+        if (has_negative_p(i) != has_negative_p(j) && has_positive_q(i) != has_positive_q(j)) {
           pages[i][j] = kUnknown;
-        } else {
-          // Within a half plane of p or q; sectors 5 and 0 are neighbours.
-          const int turn = i == 0 && j == 5 ? -1 : i == 5 && j == 0 ? 1 : j - i;
-          pages[i][j] = pages_crossed(a, turn);
+          continue;
         }
+        // Within a half plane of p or q; sectors 5 and 0 are neighbours. Page k lies between the
+        // sectors k - 1 and k.
+        if (i + j == 5 && i * j == 0) {
+          pages[i][j] = bit(static_cast<Feature>(0));
+          continue;
+        }
+        for (int k = std::min(i, j) + 1; k <= std::max(i, j); ++k)
+          pages[i][j] |= bit(static_cast<Feature>(k));
       }
   }
+  static constexpr bool has_negative_p(int sector) { return sector >= 1 && sector <= 4; }
+  static constexpr bool has_positive_q(int sector) { return sector <= 2; }
 };
 constexpr CrossingTable kCrossingTable;
 
-constexpr unsigned sheet_bit(Sheet s) { return 1u << static_cast<unsigned>(s); }
+constexpr unsigned sheet_bit(SweptSheet s) { return 1u << static_cast<unsigned>(s); }
 
 /// One call of `sweep_cells` with W lanes.
 template <int W>
@@ -91,7 +96,7 @@ class Sweep {
       prefetch(n + W);
       exclude(lanes, std::min<std::size_t>(W, cells_.size() - n));
     }
-    for (int s = 0; s < kSheets; ++s) certify(static_cast<Sheet>(s));
+    for (int s = 0; s < kSweptSheets; ++s) certify(static_cast<SweptSheet>(s));
     for (std::size_t n = 0; n < cells_.size(); ++n)
       out_[n].settled = out_[n].settled || (needed_[n] != 0 && needed_[n] == passed_[n]);
     return decisions_;
@@ -170,9 +175,13 @@ class Sweep {
       out_[n].settled = true;
       return;
     }
-    for (int page = 0; page < kPages; ++page)
-      if (possible & bit(page)) needed_[n] |= sheet_bit(row(static_cast<Feature>(page)).sheet);
-    for (int s = 0; s < kSheets; ++s)
+    if (possible & kBalanced) needed_[n] |= sheet_bit(SweptSheet::Balanced);
+    if (possible & kNeutral) needed_[n] |= sheet_bit(SweptSheet::Neutral);
+    if (contains(possible, Feature::DegenerateLinear))
+      needed_[n] |= sheet_bit(SweptSheet::DegenerateLinear);
+    if (contains(possible, Feature::DegeneratePlanar))
+      needed_[n] |= sheet_bit(SweptSheet::DegeneratePlanar);
+    for (int s = 0; s < kSweptSheets; ++s)
       if (needed_[n] >> s & 1u) lists_[s][counts_[s]++] = static_cast<std::uint16_t>(n);
   }
 
@@ -191,7 +200,7 @@ class Sweep {
   }
 
   /// Second pass: the certificates of one sheet on the tets that need it.
-  void certify(Sheet sheet) {
+  void certify(SweptSheet sheet) {
     const auto& list = lists_[static_cast<std::size_t>(sheet)];
     const std::size_t count = counts_[static_cast<std::size_t>(sheet)];
     std::array<std::uint16_t, W> lanes;
@@ -215,8 +224,8 @@ class Sweep {
   std::span<SweptCell> out_;
   std::uint64_t decisions_ = 0;
   std::array<unsigned, kSweepBlock> needed_, passed_;  // sheets, as bits
-  std::array<std::array<std::uint16_t, kSweepBlock>, kSheets> lists_;
-  std::array<std::size_t, kSheets> counts_{};
+  std::array<std::array<std::uint16_t, kSweepBlock>, kSweptSheets> lists_;
+  std::array<std::size_t, kSweptSheets> counts_{};
 };
 
 // One entry per set of instructions. Everything is inlined into it, so that no code compiled for

@@ -3,19 +3,22 @@
 #pragma once
 
 #include "sweep_exclusion.hpp"
-#include "triplex/feature/feature.hpp"
 
 namespace triplex {
+
+/// The sheets of the standard pages.
+enum class SweptSheet : std::uint8_t { Balanced, Neutral, DegenerateLinear, DegeneratePlanar };
+inline constexpr int kSweptSheets = 4;
 
 /// A sheet as the sweep sees it: derivatives of Q + 3 s v P at both ends of a range of v that holds
 /// on the whole tet (degenerate sheets), of Q (neutral), of P (balanced).
 template <int W>
 struct LaneSheet {
-  Sheet sheet;
+  SweptSheet sheet;
   std::array<Lanes<W>, 2> sv{Lanes<W>(0.0), Lanes<W>(0.0)};
   Lanes<W> unit_error;  ///< of d . grad at one coefficient, for a direction of one-norm one
 
-  bool degenerate() const { return sheet != Sheet::Balanced && sheet != Sheet::Neutral; }
+  bool degenerate() const { return sheet != SweptSheet::Balanced && sheet != SweptSheet::Neutral; }
 };
 
 /// The sheet and the lanes in which its range of v is certain. Bounds and errors as in graph.cpp.
@@ -25,7 +28,7 @@ LaneMask<W> prepare_sheet(const Forms<Lanes<W>, 4>& f, const LaneBounds<W>& b,
   using L = Lanes<W>;
   constexpr double kSlack = 1 + 0x1p-20;
   const auto everywhere = L(0.0) <= L(0.0);
-  if (sheet.sheet == Sheet::Balanced) {
+  if (sheet.sheet == SweptSheet::Balanced) {
     sheet.unit_error = (2 * b.p_error + gamma(5) * 2 * b.p_magnitude) * kSlack;
     return everywhere;
   }
@@ -40,7 +43,7 @@ LaneMask<W> prepare_sheet(const Forms<Lanes<W>, 4>& f, const LaneBounds<W>& b,
     const L error = b.p_error + gamma(4) * (b.p_magnitude + 6 * high * high);
     certain =
         (least + 6 * high * high > error) & ((low <= L(0.0)) | (-(most + 6 * low * low) > error));
-    const double s = sheet.sheet == Sheet::DegenerateLinear ? 1 : -1;
+    const double s = sheet.sheet == SweptSheet::DegenerateLinear ? 1 : -1;
     sheet.sv = {s * low, s * high};
   }
   sheet.unit_error = kSlack * (2 * b.q_error + 4 * high * b.p_error +
@@ -59,7 +62,7 @@ template <int W, int N>
 void take_gradients(const Forms<Lanes<W>, N>& f, const LaneSheet<W>& sheet,
                     LaneGradients<W, N>& out) {
   out.count = 0;
-  if (sheet.sheet == Sheet::Balanced) {
+  if (sheet.sheet == SweptSheet::Balanced) {
     for (int i = 0; i < N; ++i, ++out.count)
       for (int a = 1; a < N; ++a) out.g[out.count][a - 1] = f.P(i, a) - f.P(i, 0);
     return;
@@ -141,12 +144,12 @@ LaneMask<W> changes_once(const std::array<Lanes<W>, Count>& c, const Lanes<W>& e
 
 /// The sheet misses a face or an edge.
 template <int W, int N>
-LaneMask<W> lacks_sheet(const Forms<Lanes<W>, N>& f, const LaneBounds<W>& b, Sheet sheet) {
+LaneMask<W> lacks_sheet(const Forms<Lanes<W>, N>& f, const LaneBounds<W>& b, SweptSheet sheet) {
   const LaneSigns<W> signs = uniform_signs<W, N>(f, b);
-  if (sheet == Sheet::Balanced) return signs.p_positive | signs.p_negative;
-  if (sheet == Sheet::Neutral) return signs.q_positive | signs.q_negative;
+  if (sheet == SweptSheet::Balanced) return signs.p_positive | signs.p_negative;
+  if (sheet == SweptSheet::Neutral) return signs.q_positive | signs.q_negative;
   const LanePages<W> pages = absent_pages<W, N>(f, b, signs);
-  return sheet == Sheet::DegenerateLinear ? pages.no_linear : pages.no_planar;
+  return sheet == SweptSheet::DegenerateLinear ? pages.no_linear : pages.no_planar;
 }
 
 template <int W>
@@ -166,8 +169,8 @@ template <int W>
 LaneMask<W> certifies_edge(const Forms<Lanes<W>, 2>& f, const LaneBounds<W>& b,
                            const LaneSheet<W>& sheet, const LaneMask<W>& done) {
   LaneMask<W> passed = done;
-  if (sheet.sheet == Sheet::Balanced) passed = passed | changes_once<W>(f.p, b.p_error);
-  if (sheet.sheet == Sheet::Neutral) passed = passed | changes_once<W>(f.q, b.q_error);
+  if (sheet.sheet == SweptSheet::Balanced) passed = passed | changes_once<W>(f.p, b.p_error);
+  if (sheet.sheet == SweptSheet::Neutral) passed = passed | changes_once<W>(f.q, b.q_error);
   if (all(passed)) return passed;
   LaneGradients<W, 2> gradients;
   take_gradients<W, 2>(f, sheet, gradients);
@@ -179,7 +182,7 @@ LaneMask<W> certifies_edge(const Forms<Lanes<W>, 2>& f, const LaneBounds<W>& b,
 /// The sheet is a graph in the tet; absent or a graph on its faces; crossed at most once on its
 /// edges. What `certify_cell` asks of a sheet where there is no spine.
 template <int W>
-LaneMask<W> certifies_sheet(const Forms<Lanes<W>, 4>& f, const LaneBounds<W>& b, Sheet which) {
+LaneMask<W> certifies_sheet(const Forms<Lanes<W>, 4>& f, const LaneBounds<W>& b, SweptSheet which) {
   constexpr std::array<std::array<int, 3>, 4> kFaces = {
       {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
   constexpr std::array<std::array<int, 2>, 6> kEdges = {

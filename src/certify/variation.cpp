@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "triplex/bernstein/discriminant.hpp"
+#include "triplex/certify/mode_page.hpp"
 
 namespace triplex {
 namespace {
@@ -53,8 +54,10 @@ EdgeChoice edge_of_largest_variation(const Simplex<N>& simplex, const Measures& 
   const auto& f = simplex.approximate();
   if (measures.p) add_variation<N, 2>(f.p, sum);
   if (measures.q) add_variation<N, 3>(f.q, sum);
-  if (measures.discriminant) {
-    auto d = minus_discriminant(f);
+  for (const ModeMap& map : measures.discriminants) {
+    auto d = with_mapped_doubles(simplex, map, [](const auto& forms, const FormBounds&) {
+      return minus_discriminant(forms);
+    });
     for (std::size_t n = 0; n < d.size(); ++n) d[n] /= kMonomials<N, 6>.multinomial[n];
     add_variation<N, 6>(d, sum);
   }

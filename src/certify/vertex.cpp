@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triplex/certify/vertex.hpp"
 
+#include "triplex/certify/mode_page.hpp"
 #include "triplex/certify/simplex.hpp"
 
 namespace triplex {
@@ -36,23 +37,49 @@ Verdict to_verdict(Certainty c) {
 
 /// A sign of the perturbed field, or nothing if all its coefficients in eps vanish.
 template <class Quantity>
+struct IsPositive {
+  const Quantity& quantity;
+  bool positive;
+  template <class NT>
+  Verdict operator()(const Forms<NT, 1>& f, const FormBounds& bounds) const {
+    const Certainty c = quantity(f.p[0], f.q[0], bounds);
+    return to_verdict(positive ? c : static_cast<Certainty>(-static_cast<int>(c)));
+  }
+};
+template <class Quantity>
 std::optional<bool> is_positive(const Simplex<1>& vertex, const Quantity& quantity,
-                                SignStages& stages) {
-  const auto test = [&](bool positive) {
-    return [&quantity, positive](const auto& f, const FormBounds& bounds) {
-      const Certainty c = quantity(f.p[0], f.q[0], bounds);
-      return to_verdict(positive ? c : static_cast<Certainty>(-static_cast<int>(c)));
-    };
-  };
-  if (vertex.decide(test(true), stages)) return true;
+                                SignStages& stages, const ModeMap& map = {}) {
+  using Test = Mapped<IsPositive<Quantity>>;
+  if (vertex.decide(Test{map, {quantity, true}}, stages)) return true;
   SignStages not_counted_twice;
-  if (vertex.decide(test(false), not_counted_twice)) return false;
+  if (vertex.decide(Test{map, {quantity, false}}, not_counted_twice)) return false;
   return std::nullopt;
+}
+
+/// The sector from the signs of p and q, which name a quadrant, and the side of its curved pages:
+/// `below_page(map)` says whether D of the mapped forms is positive, the mode less than the page's.
+/// Counter-clockwise the mode rises where p and q have one sign and falls elsewhere.
+template <class BelowPage>
+std::optional<Sector> locate(const FeatureTable& table, bool p, bool q,
+                             const BelowPage& below_page) {
+  // The quadrant lies between two of the four flat pages; its sectors begin at the first.
+  const int first = p ? (q ? 0 : table.position(Feature::BalancedPlanar))
+                      : table.position(q ? Feature::BalancedLinear : Feature::NeutralReal);
+  const int last = p ? (q ? table.position(Feature::BalancedLinear) : table.page_count())
+                     : table.position(q ? Feature::NeutralReal : Feature::BalancedPlanar);
+  int passed = 0;
+  for (int k = first + 1; k < last; ++k) {
+    const std::optional<bool> below = below_page(table.sheet(table.page(k)).map);
+    if (!below) return std::nullopt;
+    passed += *below != (p == q);
+  }
+  return static_cast<Sector>(first + passed);
 }
 
 }  // namespace
 
-std::optional<Sector> sector_at(const RefinableField& field, VertexId v, SignStages& stages) {
+std::optional<Sector> sector_at(const RefinableField& field, VertexId v, const FeatureTable& table,
+                                SignStages& stages) {
   const Simplex<1> vertex(field, {v});
   const auto p = is_positive(
       vertex,
@@ -63,15 +90,22 @@ std::optional<Sector> sector_at(const RefinableField& field, VertexId v, SignSta
       [](const auto&, const auto& Q, const FormBounds& b) { return certainty(Q, b.q_error); },
       stages);
   if (!p || !q) return std::nullopt;
-  if (*p) return *q ? Sector::InnerComplexLinear : Sector::InnerComplexPlanar;
+  return locate(table, *p, *q, [&](const ModeMap& map) {
+    return is_positive(
+        vertex,
+        [](const auto& P, const auto& Q, const FormBounds& b) { return discriminant(P, Q, b); },
+        stages, map);
+  });
+}
 
-  const auto real = is_positive(
-      vertex,
-      [](const auto& P, const auto& Q, const FormBounds& b) { return discriminant(P, Q, b); },
-      stages);
-  if (!real) return std::nullopt;
-  if (*q) return *real ? Sector::RealLinear : Sector::OuterComplexLinear;
-  return *real ? Sector::RealPlanar : Sector::OuterComplexPlanar;
+Sector sector_approx(const RefinableField& field, VertexId v, const FeatureTable& table) {
+  const Simplex<1> vertex(field, {v});
+  const double p = vertex.approximate().p[0], q = vertex.approximate().q[0];
+  const auto sector = locate(table, p >= 0, q >= 0, [&](const ModeMap& map) {
+    const double P = map.p_factor * p, Q = map.q_factor * q;
+    return std::optional<bool>(2 * P * P * P + 3 * Q * Q < 0);
+  });
+  return *sector;
 }
 
 }  // namespace triplex

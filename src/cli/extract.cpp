@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: The Triplex authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -9,13 +11,15 @@
 #include "feature_list.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
+#include "reading_options.hpp"
 #include "report.hpp"
 #include "staged_directory.hpp"
 #include "stopwatch.hpp"
 #include "triplex/extract/extraction.hpp"
 #include "triplex/io/atomic_file.hpp"
 #include "triplex/io/read_field.hpp"
-#include "triplex/io/write_polydata.hpp"
+#include "triplex/io/write_mesh.hpp"
+#include "triplex/tensor/point_arrays.hpp"
 
 namespace triplex::cli {
 namespace {
@@ -29,11 +33,7 @@ struct Steps {
 
 TensorField read_checked(const ExtractRequest& request, InputRepairs& repairs, Steps& steps) {
   steps.progress.show("reading and checking");
-  TensorField field = read_field(request.field,
-                                 {.tensor_name = request.tensor,
-                                  .merge_points = request.merge_points,
-                                  .fix_orientation = request.fix_orientation},
-                                 &repairs);
+  TensorField field = read_field(request.field, request.reading, &repairs);
   steps.timing.read = steps.step.lap();
   throw_if_interrupted();
   return field;
@@ -42,7 +42,10 @@ TensorField read_checked(const ExtractRequest& request, InputRepairs& repairs, S
 Extraction extract_with_progress(const TensorField& field, const ExtractRequest& request,
                                  Steps& steps) {
   ExtractionOptions options;
-  options.features = request.features;
+  const RequestedFeatures requested = resolve(request.features);
+  options.table = requested.table;
+  options.features = requested.set;
+  options.keep_tensors = !request.arrays.empty();
   options.max_bisections = request.max_bisections;
   options.threads = request.threads;
   options.progress = [&](std::string_view step, double done) { steps.progress.show(step, done); };
@@ -53,16 +56,38 @@ Extraction extract_with_progress(const TensorField& field, const ExtractRequest&
   return extraction;
 }
 
+std::vector<PointValues> evaluate_arrays(const FeatureMesh& mesh,
+                                         const std::vector<std::string>& names) {
+  std::vector<PointValues> arrays;
+  for (const std::string& name : names) {
+    const PointArray& array = *point_array_named(name);
+    const auto components = static_cast<std::size_t>(array.components);
+    PointValues values{name, array.components, {}};
+    values.values.resize(components * mesh.tensors.size());
+    tbb::parallel_for(std::size_t{0}, mesh.tensors.size(), [&](std::size_t v) {
+      array.evaluate(mesh.tensors[v], &values.values[components * v]);
+    });
+    arrays.push_back(std::move(values));
+  }
+  return arrays;
+}
+
 // The meshes first, the report last: where the report is, the set is complete.
 void write_results(const ExtractRequest& request, const TensorField& field,
                    const Extraction& extraction, const FeatureSummaries& summaries,
                    StagedDirectory& directory, Steps& steps) {
-  for (const Feature f : kReadingOrder) {
+  const FeatureTable& table = extraction.table;
+  for (const Feature f : reading_order(table.all())) {
     steps.progress.show("writing");
-    write_polydata(directory.stage(std::string(row(f).name) + ".vtp"),
-                   extraction.features[static_cast<std::size_t>(f)], f);
+    const FeatureMesh& mesh = extraction.mesh(f);
+    const std::vector<PointValues> arrays = evaluate_arrays(mesh, request.arrays);
+    for (const MeshFormat format : request.formats)
+      write_mesh(directory.stage(fmt::format("{}.{}", table.row(f).name, name_of(format))), format,
+                 mesh, f, arrays);
     throw_if_interrupted();
   }
+  if (std::ranges::count(request.formats, MeshFormat::Vtp) > 0)
+    write_collection(directory.stage("features.vtpc"), names_of(table, table.all()));
   steps.timing.write = steps.step.lap();
   steps.timing.total = steps.total.lap();
   write_text_file(directory.stage("report.json"),
@@ -81,35 +106,62 @@ ExitCode run_extract(const ExtractRequest& request) {
   steps.timing.topology = steps.step.lap();
   write_results(request, field, extraction, summaries, directory, steps);
   steps.progress.clear();
-  if (repairs.merged_points + repairs.flipped_tets > 0) {
-    fmt::print("repaired on input: {} points merged, {} tets turned around\n",
-               repairs.merged_points, repairs.flipped_tets);
-  }
-  fmt::print("{}", make_table(request, extraction, summaries));
+  fmt::print("{}", describe_reading(field.split, repairs));
+  fmt::print("{}", make_table(extraction, summaries));
   return extraction.certified() ? ExitCode::Certified : ExitCode::Unresolved;
+}
+
+std::string point_array_names() {
+  std::vector<std::string_view> names;
+  for (const PointArray& array : point_array_table()) names.push_back(array.name);
+  return fmt::format("{}", fmt::join(names, ","));
+}
+
+void check_array_names(std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    if (point_array_named(name) == nullptr)
+      throw UsageError(fmt::format("--arrays: no array is called '{}'; there are {}", name,
+                                   point_array_names()));
+  // Every mesh has these.
+  std::erase_if(names, [](const std::string& n) { return n == "p" || n == "q" || n == "mode"; });
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+}
+
+std::vector<MeshFormat> parse_formats(const std::vector<std::string>& names) {
+  std::vector<MeshFormat> formats;
+  for (const std::string& name : names) {
+    const auto format = mesh_format_named(name);
+    if (!format)
+      throw UsageError(fmt::format("--format: '{}' is none of vtp, ply, obj, stl", name));
+    if (std::ranges::count(formats, *format) == 0) formats.push_back(*format);
+  }
+  return formats;
 }
 
 }  // namespace
 
 void add_extract(CLI::App& program, Action& action) {
   auto request = std::make_shared<ExtractRequest>();
-  auto names = std::make_shared<std::vector<std::string>>();
+  auto formats = std::make_shared<std::vector<std::string>>();
   request->max_bisections = ExtractionOptions{}.max_bisections;
   CLI::App* const command = program.add_subcommand(
       "extract",
       "Extract the feature surfaces and the triple degenerate curve, with certificates.");
-  command->add_option("FIELD", request->field, "Tensor field: .vtu, .pvtu or legacy .vtk")
-      ->required();
+  add_reading_options(*command, request->field, request->reading);
   command->add_option("-o,--output", request->directory, "Directory for the results")
       ->required()
       ->type_name("DIR");
+  add_feature_options(*command, request->features);
   command
-      ->add_option("--tensor", request->tensor,
-                   "Name of the point array with 9 components; needed if there are several")
-      ->type_name("NAME");
-  command->add_option("--features", *names, "Only these, of " + all_feature_names())
+      ->add_option("--arrays", request->arrays,
+                   "Further point arrays of the meshes, of " + point_array_names())
       ->delimiter(',')
       ->type_name("A,B,...");
+  command->add_option("--format", *formats, "Formats of the meshes: vtp, ply, obj, stl")
+      ->delimiter(',')
+      ->type_name("A,B,...")
+      ->default_str("vtp");
   command
       ->add_option("--max-bisections", request->max_bisections,
                    "Bisections that one tet may ask for before it is listed as unresolved")
@@ -120,18 +172,19 @@ void add_extract(CLI::App& program, Action& action) {
       ->check(CLI::Range(0u, 4096u))
       ->type_name("N")
       ->capture_default_str();
-  command->add_flag("--merge-points", request->merge_points,
-                    "Make one point of points with equal coordinates and tensors");
-  command->add_flag("--fix-orientation", request->fix_orientation,
-                    "Turn tets of negative volume around");
   command->add_flag("--quiet", request->quiet, "No progress on stderr");
   command->footer(
       "Examples:\n"
       "  triplex extract flow.vtu -o flow\n"
       "  triplex extract flow.vtu -o flow --features degenerate-linear,triple-curve\n"
-      "DIR gets one .vtp file per feature (empty ones too) and report.json.");
-  command->callback([request, names, &action] {
-    if (!names->empty()) request->features = parse_features(*names);
+      "  triplex extract flow.vtu -o flow --gradient-of U\n"
+      "  triplex extract flow.vtu -o flow --features none --mode 1/2,-,+ --mode 1/2,-,-\n"
+      "DIR gets one file per feature (empty ones too), features.vtpc for all of them, and "
+      "report.json.");
+  command->callback([request, formats, &action] {
+    resolve(request->features);  // what is wrong with it is better known before the work
+    check_array_names(request->arrays);
+    if (!formats->empty()) request->formats = parse_formats(*formats);
     action = [request] { return run_extract(*request); };
   });
 }

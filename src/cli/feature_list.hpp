@@ -2,30 +2,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "triplex/feature/feature.hpp"
+#include "triplex/feature/feature_table.hpp"
 
 namespace triplex::cli {
 
-/// The features in the order in which people read them: the paper's.
-inline constexpr std::array<Feature, kFeatures> kReadingOrder = {
-    Feature::DegenerateLinear, Feature::DegeneratePlanar, Feature::NeutralReal,
-    Feature::NeutralComplex,   Feature::BalancedLinear,   Feature::BalancedPlanar,
-    Feature::TripleCurve};
+/// Features as a user names them.
+struct FeatureRequest {
+  std::vector<std::string> names;  ///< of standard features; empty: all; "none": none
+  std::vector<std::string> modes;  ///< MU,SIGN_P,SIGN_Q
+  std::vector<double> magnitudes;
+  std::vector<double> isotropicities;
+  bool traceless = false;
+};
 
-constexpr bool contains(FeatureSet set, Feature f) { return (set & bit(f)) != 0; }
+/// A table with a row for each feature that was named, and which rows were.
+struct RequestedFeatures {
+  FeatureTable table;
+  FeatureSet set = kStandardSet;
+};
+/// \throw UsageError naming what is wrong and what there is.
+RequestedFeatures resolve(const FeatureRequest& request);
 
-/// The set of the features of these names. \throw UsageError naming the wrong one.
-FeatureSet parse_features(const std::vector<std::string>& names);
+/// The options --features, --mode, --magnitude, --isotropicity and --traceless. `request` must
+/// outlive the parsing.
+void add_feature_options(CLI::App& command, FeatureRequest& request);
 
-/// All names, separated by commas.
-std::string all_feature_names();
+/// Adds the request to the options of report.json, every name spelt out; and back.
+void add_to_json(const FeatureRequest& request, nlohmann::ordered_json& options);
+FeatureRequest feature_request_from(const nlohmann::ordered_json& options);
 
-/// The names of the features of a set, in reading order.
-std::vector<std::string_view> names_of(FeatureSet set);
+/// The rows of a set in the order in which people read them: the paper's, then those added.
+std::vector<Feature> reading_order(FeatureSet set);
+/// The names of a set, in reading order.
+std::vector<std::string_view> names_of(const FeatureTable& table, FeatureSet set);
 
 }  // namespace triplex::cli

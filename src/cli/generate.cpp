@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <charconv>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct GenerateRequest {
   GridOptions grid;
   LorenzParameters lorenz;
   bool lorenz_given = false;
+  std::string constant;  // nine numbers
 };
 
 std::string generator_list() {
@@ -30,6 +32,23 @@ std::string generator_list() {
     list += fmt::format("  {:<16} {}\n", row.name, row.title);
   }
   return list;
+}
+
+// Nine numbers, separated by commas.
+Tensor<double> parse_tensor(const std::string& text) {
+  Tensor<double> tensor;
+  const char* from = text.data();
+  const char* const end = from + text.size();
+  for (std::size_t i = 0; i < tensor.size(); ++i) {
+    const auto [next, error] = std::from_chars(from, end, tensor[i]);
+    const bool last = i + 1 == tensor.size();
+    if (error != std::errc() || (last ? next != end : next == end || *next != ',')) {
+      throw UsageError("--tensor-value " + text +
+                       ": give nine numbers, row by row, separated by commas: a11,a12,...,a33");
+    }
+    from = next + 1;
+  }
+  return tensor;
 }
 
 TensorField generate(GenerateRequest& request) {
@@ -47,7 +66,9 @@ TensorField generate(GenerateRequest& request) {
   request.grid.split = request.split == 5 ? CellSplit::Five : CellSplit::Six;
   if (request.name == "lorenz") return generate_lorenz(request.grid, request.lorenz);
   if (request.lorenz_given) throw UsageError("--sigma, --rho and --beta are for lorenz only");
-  return generator->generate(request.grid);
+  if (request.constant.empty()) return generator->generate(request.grid);
+  if (request.name != "constant") throw UsageError("--tensor-value is for constant only");
+  return generate_constant(request.grid, parse_tensor(request.constant));
 }
 
 ExitCode run_generate(GenerateRequest& request) {
@@ -63,7 +84,7 @@ ExitCode run_generate(GenerateRequest& request) {
 
 void add_grid_options(CLI::App* command, GenerateRequest& request) {
   command->add_option("-n", request.grid.n, "Grid cells along each axis")
-      ->check(CLI::Range(1, 1000))
+      ->check(CLI::Range(1, 800))
       ->type_name("N")
       ->capture_default_str();
   command->add_option("--box", request.box, "The domain, instead of the field's own")
@@ -98,10 +119,13 @@ void add_generate(CLI::App& program, Action& action) {
       command->add_option("--rho", request->lorenz.rho, "Lorenz: Rayleigh number"),
       command->add_option("--beta", request->lorenz.beta, "Lorenz: aspect")};
   for (CLI::Option* const option : lorenz) option->capture_default_str();
+  command->add_option("--tensor-value", request->constant, "Constant: the tensor, row by row")
+      ->type_name("A11,A12,...,A33");
   command->footer(generator_list() +
                   "Examples:\n"
                   "  triplex generate lorenz -n 20 -o lorenz.vtu\n"
-                  "  triplex generate abc -n 44 --split 5 --jitter 0.2 --seed 7 -o abc.vtu");
+                  "  triplex generate abc -n 44 --split 5 --jitter 0.2 --seed 7 -o abc.vtu\n"
+                  "  triplex generate constant --tensor-value 1,2,0,0,1,0,0,0,3 -o constant.vtu");
   command->callback([request, lorenz, &action] {
     for (const CLI::Option* const option : lorenz) request->lorenz_given |= option->count() > 0;
     action = [request] { return run_generate(*request); };

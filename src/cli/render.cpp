@@ -20,7 +20,7 @@ struct RenderRequest {
   std::string picture;
   std::string size = "1600x1200";
   std::string camera = "diagonal";
-  std::vector<std::string> features;
+  FeatureRequest features;
 };
 
 // WxH, both from 16 to 16384.
@@ -36,25 +36,47 @@ void parse_size(const std::string& text, RenderOptions& options) {
   }
 }
 
-// The box of the domain as extract reported it; nothing when there is no such report.
-std::optional<Bounds> domain_of(const std::string& directory) {
+// What extract reported; null when there is no such report.
+nlohmann::ordered_json report_of(const std::string& directory) {
   std::ifstream file(directory + "/report.json");
-  const auto report = nlohmann::json::parse(file, nullptr, /*allow_exceptions=*/false);
-  const auto pointer = nlohmann::json::json_pointer("/field/bounds");
-  if (report.is_discarded() || !report.contains(pointer)) return std::nullopt;
+  const auto report = nlohmann::ordered_json::parse(file, nullptr, /*allow_exceptions=*/false);
+  return report.is_discarded() ? nlohmann::ordered_json() : report;
+}
+
+// The box of the domain; nothing when the report does not say.
+std::optional<Bounds> domain_of(const nlohmann::ordered_json& report) {
+  const auto pointer = nlohmann::ordered_json::json_pointer("/field/bounds");
+  if (!report.contains(pointer)) return std::nullopt;
   try {
     return report.at(pointer).get<Bounds>();
-  } catch (const nlohmann::json::exception&) {
+  } catch (const nlohmann::ordered_json::exception&) {
     return std::nullopt;
+  }
+}
+
+// What the user asks for, or else what was extracted; all standard features if that is not known.
+FeatureRequest features_of(const RenderRequest& request, const nlohmann::ordered_json& report) {
+  const FeatureRequest& wanted = request.features;
+  const bool any = !wanted.names.empty() || !wanted.modes.empty() || !wanted.magnitudes.empty() ||
+                   !wanted.isotropicities.empty() || wanted.traceless;
+  const auto pointer = nlohmann::ordered_json::json_pointer("/options");
+  if (any || !report.contains(pointer)) return wanted;
+  try {
+    return feature_request_from(report.at(pointer));
+  } catch (const nlohmann::ordered_json::exception&) {
+    return wanted;
   }
 }
 
 ExitCode run_render(const RenderRequest& request) {
   RenderOptions options;
   parse_size(request.size, options);
-  if (!request.features.empty()) options.features = parse_features(request.features);
+  const auto report = report_of(request.directory);
+  const RequestedFeatures requested = resolve(features_of(request, report));
+  options.table = requested.table;
+  options.features = requested.set;
   options.camera = camera_named(request.camera).value_or(CameraPreset::Diagonal);
-  options.outline = domain_of(request.directory);
+  options.outline = domain_of(report);
   render_features(request.directory, request.picture, options);
   fmt::print("{}\n", request.picture);
   return ExitCode::Certified;
@@ -77,9 +99,7 @@ void add_render(CLI::App& program, Action& action) {
       ->check(CLI::IsMember({"diagonal", "x", "y", "z"}))
       ->type_name("PRESET")
       ->capture_default_str();
-  command->add_option("--features", request->features, "Only these, of " + all_feature_names())
-      ->delimiter(',')
-      ->type_name("A,B,...");
+  add_feature_options(*command, request->features);
   command->footer(
       "Examples:\n"
       "  triplex render flow -o flow.png\n"

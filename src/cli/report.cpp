@@ -10,7 +10,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "feature_list.hpp"
 #include "version.hpp"
 
 namespace triplex::cli {
@@ -43,15 +42,29 @@ Json field_json(const ExtractRequest& request, const TensorField& field) {
           {"tets", field.mesh.tets.size()},
           {"vertices", field.mesh.points.size()},
           {"array", field.array_name},
-          {"bounds", bounds_of(field)}};
+          {"bounds", bounds_of(field)},
+          {"split",
+           {{"hexahedra", field.split.hexahedra},
+            {"wedges", field.split.wedges},
+            {"pyramids", field.split.pyramids}}}};
 }
 
 Json options_json(const ExtractRequest& request) {
-  return {{"features", names_of(request.features)},
-          {"max_bisections", request.max_bisections},
-          {"threads", request.threads},
-          {"merge_points", request.merge_points},
-          {"fix_orientation", request.fix_orientation}};
+  std::vector<std::string_view> formats;
+  for (const MeshFormat format : request.formats) formats.push_back(name_of(format));
+  Json json = Json::object();
+  add_to_json(request.features, json);
+  json.update({{"arrays", request.arrays},
+               {"formats", formats},
+               {"max_bisections", request.max_bisections},
+               {"threads", request.threads},
+               {"tensor", request.reading.tensor_name},
+               {"gradient_of", request.reading.gradient_of},
+               {"transpose", request.reading.transpose},
+               {"symmetric_order", request.reading.symmetric_order},
+               {"merge_points", request.reading.merge_points},
+               {"fix_orientation", request.reading.fix_orientation}});
+  return json;
 }
 
 Json surface_json(const FeatureSummary& summary) {
@@ -74,22 +87,23 @@ Json curve_json(const FeatureSummary& summary) {
           {"length", summary.measure}};
 }
 
-Json features_json(FeatureSet features, const FeatureSummaries& summaries) {
+Json features_json(const Extraction& extraction, const FeatureSummaries& summaries) {
   Json json = Json::object();
-  for (const Feature f : kReadingOrder) {
-    if (!contains(features, f)) continue;
-    const FeatureSummary& summary = summaries[static_cast<std::size_t>(f)];
-    json[std::string(row(f).name)] =
-        f == Feature::TripleCurve ? curve_json(summary) : surface_json(summary);
+  for (const Feature f : reading_order(extraction.requested)) {
+    const FeatureRow& row = extraction.table.row(f);
+    const FeatureSummary& summary = summaries[index(f)];
+    json[row.name] =
+        row.kind == FeatureKind::Curve ? curve_json(summary) : surface_json(summary);
   }
   return json;
 }
 
-Json unresolved_json(const std::vector<UnresolvedTet>& unresolved) {
+Json unresolved_json(const Extraction& extraction) {
   Json json = Json::array();
-  for (const UnresolvedTet& tet : unresolved) {
-    json.push_back(
-        {{"tet", tet.source_cell}, {"features", names_of(tet.features)}, {"reason", tet.reason}});
+  for (const UnresolvedTet& tet : extraction.unresolved) {
+    json.push_back({{"tet", tet.source_cell},
+                    {"features", names_of(extraction.table, tet.features)},
+                    {"reason", tet.reason}});
   }
   return json;
 }
@@ -97,10 +111,10 @@ Json unresolved_json(const std::vector<UnresolvedTet>& unresolved) {
 }  // namespace
 
 FeatureSummaries summarize(const Extraction& extraction) {
-  FeatureSummaries summaries;
-  for (const Feature f : kReadingOrder) {
-    const FeatureMesh& mesh = extraction.features[static_cast<std::size_t>(f)];
-    FeatureSummary& summary = summaries[static_cast<std::size_t>(f)];
+  FeatureSummaries summaries(extraction.features.size());
+  for (const Feature f : reading_order(extraction.requested)) {
+    const FeatureMesh& mesh = extraction.mesh(f);
+    FeatureSummary& summary = summaries[index(f)];
     if (f == Feature::TripleCurve) {
       summary.curve = curve_topology(mesh.segments, mesh.points.size());
       summary.measure = length_approx(mesh.points, mesh.segments);
@@ -135,8 +149,8 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
                           {"tets", refinement.tets}};
   report["sign_stages"] = {
       {"filter", stages.filter}, {"interval", stages.interval}, {"exact", stages.exact}};
-  report["features"] = features_json(request.features, summaries);
-  report["unresolved"] = unresolved_json(extraction.unresolved);
+  report["features"] = features_json(extraction, summaries);
+  report["unresolved"] = unresolved_json(extraction);
   report["timing_s"] = {{"read", timing.read},
                         {"refine", extraction.timing.refine_s},
                         {"extract", extraction.timing.extract_s},
@@ -147,26 +161,27 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
   return report;
 }
 
-std::string make_table(const ExtractRequest& request, const Extraction& extraction,
-                       const FeatureSummaries& summaries) {
+std::string make_table(const Extraction& extraction, const FeatureSummaries& summaries) {
+  constexpr std::string_view kLine = "{:<{}} {:>9} {:>9} {:>10} {:>6} {:>8} {:>12.6g} {:>10}\n";
+  std::size_t width = 18;
+  for (const std::string_view name : names_of(extraction.table, extraction.requested))
+    width = std::max(width, name.size());
   std::string table =
-      fmt::format("{:<18} {:>9} {:>9} {:>10} {:>6} {:>8} {:>12} {:>10}\n", "feature", "vertices",
-                  "cells", "components", "euler", "boundary", "area", "unresolved");
+      fmt::format("{:<{}} {:>9} {:>9} {:>10} {:>6} {:>8} {:>12} {:>10}\n", "feature", width,
+                  "vertices", "cells", "components", "euler", "boundary", "area", "unresolved");
   const auto out = std::back_inserter(table);
-  for (const Feature f : kReadingOrder) {
-    if (!contains(request.features, f)) continue;
-    const FeatureSummary& summary = summaries[static_cast<std::size_t>(f)];
+  for (const Feature f : reading_order(extraction.requested)) {
+    const FeatureSummary& summary = summaries[index(f)];
+    const std::string& name = extraction.table.row(f).name;
     if (f == Feature::TripleCurve) {
       const CurveTopology& c = summary.curve;
-      fmt::format_to(out, "{:<18} {:>9} {:>9} {:>10} {:>6} {:>8} {:>12.6g} {:>10}\n", row(f).name,
-                     c.vertices, c.segments, c.components,
+      fmt::format_to(out, kLine, name, width, c.vertices, c.segments, c.components,
                      static_cast<std::int64_t>(c.vertices) - static_cast<std::int64_t>(c.segments),
                      c.ends, summary.measure, summary.unresolved);
     } else {
       const SurfaceTopology& s = summary.surface;
-      fmt::format_to(out, "{:<18} {:>9} {:>9} {:>10} {:>6} {:>8} {:>12.6g} {:>10}\n", row(f).name,
-                     s.vertices, s.triangles, s.components, s.euler, s.boundary_loops,
-                     summary.measure, summary.unresolved);
+      fmt::format_to(out, kLine, name, width, s.vertices, s.triangles, s.components, s.euler,
+                     s.boundary_loops, summary.measure, summary.unresolved);
     }
   }
   const std::size_t open = extraction.unresolved.size();

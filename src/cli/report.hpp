@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
+#include "feature_list.hpp"
 #include "triplex/extract/extraction.hpp"
+#include "triplex/io/read_field.hpp"
+#include "triplex/io/write_mesh.hpp"
 #include "triplex/topology/curve_topology.hpp"
 #include "triplex/topology/surface_topology.hpp"
 
@@ -21,7 +24,7 @@ struct FeatureSummary {
   double measure = 0;
   std::uint64_t unresolved = 0;  ///< tets of the input whose list names the feature
 };
-using FeatureSummaries = std::array<FeatureSummary, kFeatures>;
+using FeatureSummaries = std::vector<FeatureSummary>;  ///< per row of the table
 
 FeatureSummaries summarize(const Extraction& extraction);
 
@@ -34,13 +37,13 @@ struct StepTiming {
 struct ExtractRequest {
   std::string field;
   std::string directory;
-  std::string tensor;
-  FeatureSet features = kAllFeatures;
+  ReadOptions reading;
+  FeatureRequest features;
+  std::vector<std::string> arrays;                       ///< names of further point arrays
+  std::vector<MeshFormat> formats = {MeshFormat::Vtp};
   std::uint32_t max_bisections = 0;
   unsigned threads = 0;
   bool quiet = false;
-  bool merge_points = false;
-  bool fix_orientation = false;
 };
 
 /// The contents of report.json; docs/formats.md says what each key means.
@@ -49,7 +52,6 @@ nlohmann::ordered_json make_report(const ExtractRequest& request, const TensorFi
                                    const StepTiming& timing);
 
 /// The table for people.
-std::string make_table(const ExtractRequest& request, const Extraction& extraction,
-                       const FeatureSummaries& summaries);
+std::string make_table(const Extraction& extraction, const FeatureSummaries& summaries);
 
 }  // namespace triplex::cli

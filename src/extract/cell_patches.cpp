@@ -3,9 +3,8 @@
 #include "cell_patches.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
-
-#include "triplex/certify/edge_side.hpp"
 
 namespace triplex {
 namespace {
@@ -20,7 +19,7 @@ constexpr std::array<std::uint8_t, 6> kFacesOfEdge = {0b1100, 0b1010, 0b0110,
                                                       0b1001, 0b0101, 0b0011};
 constexpr int kEdges = 6, kFacesOfCell = 4;
 constexpr int kNodes =
-    kEdges + kFacesOfCell;  // per page: a crossing per edge, a spine point per face
+    kEdges + kFacesOfCell;  // per surface: a crossing per edge, a spine point per face
 constexpr int spine_node(int face) { return kEdges + face; }
 
 /// Sorts the first `count` of the three edges of a face.
@@ -32,32 +31,27 @@ void sort_edges(std::array<int, 3>& edges, int count) {
 
 class CellTracer {
  public:
-  CellTracer(const Leaf& leaf, const std::vector<Sector>& labels, const EdgeCrossings& crossings,
-             const FaceSpinePoints& spine_points)
-      : leaf_(leaf), labels_(labels) {
+  CellTracer(const Leaf& leaf, const EdgeCrossings& crossings, const FaceSpinePoints& spine_points)
+      : leaf_(leaf), crossings_(crossings) {
     for (int i = 0; i < 4; ++i)
-      for (int j = i + 1; j < 4; ++j)
-        if (label(i) != label(j)) add_edge(i, j, crossings);
+      for (int j = i + 1; j < 4; ++j) {
+        if (crossings.labels().agree(leaf.vertices[i], leaf.vertices[j])) continue;
+        const CrossedEdge* edge = crossings.find(leaf.vertices[i], leaf.vertices[j]);
+        edges_[kEdgeNumber[i][j]] = edge;
+        if (edge != nullptr) present_ |= crossings.features_on(*edge);
+      }
     find_spine(spine_points);
   }
 
-  CellPatches run(FeatureSet features) {
-    CellPatches result;
-    for (int page = 0; page < kPages; ++page)
-      if (features & crossed_ & bit(page)) loops(static_cast<Feature>(page), result.pages[page]);
-    if (features & bit(Feature::TripleCurve))
-      for (const auto& [out, in] : spine_arcs_)
-        result.spine.push_back({spine_vertex(out), spine_vertex(in)});
-    return result;
+  void run(FeatureSet features, CellPatches& patches) {
+    for (FeatureSet rest = features & present_; rest != 0; rest &= rest - 1)
+      add_loops(static_cast<Feature>(std::countr_zero(rest)), patches.loops);
+    if (contains(features, Feature::TripleCurve))
+      for (int n = 0; n < arcs_; ++n)
+        patches.spine.push_back({spine_vertex(spine_arcs_[n][0]), spine_vertex(spine_arcs_[n][1])});
   }
 
  private:
-  Sector label(int i) const { return labels_[index(leaf_.vertices[i])]; }
-  void add_edge(int i, int j, const EdgeCrossings& crossings) {
-    const CrossedEdge* edge = crossings.find(leaf_.vertices[i], leaf_.vertices[j]);
-    edges_[kEdgeNumber[i][j]] = edge;
-    if (edge != nullptr) crossed_ |= pages_crossed(label(i), edge->rotation);
-  }
   /// Local vertices of a face, counter-clockwise seen from outside.
   std::array<int, 3> outward(int face) const {
     auto f = kOutwardFaces[face];
@@ -77,21 +71,21 @@ class CellTracer {
     int positives = 0, negatives = 0;
     for (int face = 0; face < kFacesOfCell; ++face) {
       const auto [a, b, c] = outward(face);
-      winding_[face] = (rotation(a, b) + rotation(b, c) + rotation(c, a)) / kPages;
-      if (winding_[face] == 0) continue;
+      const int winding =
+          (rotation(a, b) + rotation(b, c) + rotation(c, a)) / crossings_.table().page_count();
+      if (winding == 0) continue;
       std::array<VertexId, 3> key;
       for (int i = 0, k = 0; i < 4; ++i)
         if (i != face) key[k++] = leaf_.vertices[i];
       spine_number_[face] = spine_points.find(key);
-      if (winding_[face] > 0) positive[positives++] = face;
-      if (winding_[face] < 0) negative[negatives++] = face;
+      (winding > 0 ? positive[positives++] : negative[negatives++]) = face;
     }
-    for (int n = 0; n < std::min(positives, negatives); ++n)
-      spine_arcs_.push_back({negative[n], positive[n]});
+    arcs_ = std::min(positives, negatives);
+    for (int n = 0; n < arcs_; ++n) spine_arcs_[n] = {negative[n], positive[n]};
   }
 
-  /// The arcs of a page on one face, as successors along the oriented boundary of the patch.
-  void trace_face(int face, Feature page, std::array<int, kNodes>& next) const {
+  /// The arcs of a surface on one face, as successors along the oriented boundary of the patch.
+  void trace_face(int face, Feature feature, std::array<int, kNodes>& next) const {
     const auto local = outward(face);
     std::array<int, 3> entering{},
         leaving{};  // edges where the boundary enters the far side, leaves it
@@ -99,8 +93,9 @@ class CellTracer {
     for (int i = 0; i < 3; ++i) {
       const int a = local[i], b = local[(i + 1) % 3];
       const int e = kEdgeNumber[a][b];
-      if (edges_[e] == nullptr || crossing(e, page) < 0) continue;
-      (rotation(a, b) > 0 ? entering[entries++] : leaving[exits++]) = e;
+      if (edges_[e] == nullptr || crossing(e, feature) < 0) continue;
+      const bool ascends = crossings_.ascends(*edges_[e], feature) == (a < b);
+      (ascends ? entering[entries++] : leaving[exits++]) = e;
     }
     // Edge numbers ascend with the vertices, so both tets at a face pair the same crossings.
     sort_edges(entering, entries);
@@ -111,29 +106,30 @@ class CellTracer {
     if (exits > paired) next[leaving[paired]] = spine_node(face);
   }
 
-  template <class Loops>
-  void loops(Feature page, Loops& result) const {
+  void add_loops(Feature feature, std::vector<PatchLoop>& loops) const {
     std::array<int, kNodes> next;
     next.fill(-1);
-    for (int face = 0; face < kFacesOfCell; ++face) trace_face(face, page, next);
-    for (const auto& [out, in] : spine_arcs_) next[spine_node(out)] = spine_node(in);
+    for (int face = 0; face < kFacesOfCell; ++face) trace_face(face, feature, next);
+    if (crossings_.table().position(feature) >= 0)  // only pages end at the spine
+      for (int n = 0; n < arcs_; ++n)
+        next[spine_node(spine_arcs_[n][0])] = spine_node(spine_arcs_[n][1]);
 
     for (int start = 0; start < kNodes; ++start) {
       PatchLoop loop;
+      loop.feature = feature;
       int node = start;
       while (node >= 0 && next[node] >= 0) {
-        loop.push_back(node < kEdges ? crossing_vertex(node, page) : spine_vertex(node - kEdges));
+        loop.vertices[loop.size++] =
+            node < kEdges ? crossing_vertex(node, feature) : spine_vertex(node - kEdges);
         node = std::exchange(next[node], -1);
       }
-      if (loop.size() >= 3) result.push_back(loop);
+      if (loop.size >= 3) loops.push_back(loop);
     }
   }
 
-  int crossing(int e, Feature page) const {
-    return EdgeCrossings::crossing_of(*edges_[e], labels_[index(edges_[e]->ends[0])], page);
-  }
-  PatchVertex crossing_vertex(int e, Feature page) const {
-    return {static_cast<std::uint32_t>(crossing(e, page)), false, kFacesOfEdge[e]};
+  int crossing(int e, Feature feature) const { return crossings_.crossing_of(*edges_[e], feature); }
+  PatchVertex crossing_vertex(int e, Feature feature) const {
+    return {static_cast<std::uint32_t>(crossing(e, feature)), false, kFacesOfEdge[e]};
   }
   PatchVertex spine_vertex(int face) const {
     return {static_cast<std::uint32_t>(spine_number_[face]), true,
@@ -141,20 +137,21 @@ class CellTracer {
   }
 
   const Leaf& leaf_;
-  const std::vector<Sector>& labels_;
+  const EdgeCrossings& crossings_;
   std::array<const CrossedEdge*, kEdges> edges_{};
-  std::array<int, kFacesOfCell> winding_{}, spine_number_{};
-  FeatureSet crossed_ = 0;  // pages
-  boost::container::static_vector<std::array<int, 2>, 2>
-      spine_arcs_;  // faces: winding -1, winding +1
+  FeatureSet present_ = 0;
+  std::array<int, kFacesOfCell> spine_number_{};
+  std::array<std::array<int, 2>, 2> spine_arcs_{};  // faces: winding -1, winding +1
+  int arcs_ = 0;
 };
 
 }  // namespace
 
-CellPatches patches_of(const Leaf& leaf, const std::vector<Sector>& labels,
-                       const EdgeCrossings& crossings, const FaceSpinePoints& spine_points,
-                       FeatureSet features) {
-  return CellTracer(leaf, labels, crossings, spine_points).run(features);
+void patches_of(const Leaf& leaf, const EdgeCrossings& crossings,
+                const FaceSpinePoints& spine_points, FeatureSet features, CellPatches& patches) {
+  patches.loops.clear();
+  patches.spine.clear();
+  CellTracer(leaf, crossings, spine_points).run(features, patches);
 }
 
 }  // namespace triplex

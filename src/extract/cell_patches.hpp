@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <boost/container/static_vector.hpp>
 #include <cstdint>
 #include <vector>
 
@@ -18,25 +17,29 @@ struct PatchVertex {
   std::uint8_t faces = 0;  ///< of the tet at hand, as bits: those that the vertex lies on
 };
 
-/// A page has at most one vertex per edge and per face of a tet.
-inline constexpr int kPatchVertices = 6 + 4;
-/// The oriented boundary of one patch of a page in a tet, normal towards growing angle of (p, q).
-using PatchLoop = boost::container::static_vector<PatchVertex, kPatchVertices>;
+/// The oriented boundary of one patch of a surface in a tet, normal towards growing angle of (p, q),
+/// or out of the convex set. At most one vertex per edge and per face of the tet.
+struct PatchLoop {
+  static constexpr std::size_t kMost = 6 + 4;
+  Feature feature{};
+  std::array<PatchVertex, kMost> vertices;
+  std::size_t size = 0;
 
-/// What one tet contributes. Nothing is allocated.
-struct CellPatches {
-  std::array<boost::container::static_vector<PatchLoop, kPatchVertices / 3>, kPages> pages;
-  /// Arcs of the triple degenerate curve.
-  boost::container::static_vector<std::array<PatchVertex, 2>, 2> spine;
+  const PatchVertex& operator[](std::size_t i) const { return vertices[i]; }
 };
 
-/// The patches of a tet, by combinatorics alone: on each face an arc of a page joins the crossing
-/// that leaves the page's inner side to the one that enters it, or ends at the face's spine point;
-/// arcs chain to loops over the faces; arcs of the spine join the faces where it enters and leaves.
+/// What one tet contributes; kept from tet to tet so that it allocates nothing.
+struct CellPatches {
+  std::vector<PatchLoop> loops;                   ///< in order of the features
+  std::vector<std::array<PatchVertex, 2>> spine;  ///< arcs of the triple degenerate curve
+};
+
+/// The patches of a tet, by combinatorics alone: on each face an arc of a surface joins the crossing
+/// that leaves its inner side to the one that enters it, or ends at the face's spine point; arcs
+/// chain to loops over the faces; arcs of the spine join the faces where it enters and leaves.
 /// Guarantee: neighbouring tets make the same arcs on their common face, certified or not, so the
 /// union is watertight. Source: proofs/cell.md.
-CellPatches patches_of(const Leaf& leaf, const std::vector<Sector>& labels,
-                       const EdgeCrossings& crossings, const FaceSpinePoints& spine_points,
-                       FeatureSet features);
+void patches_of(const Leaf& leaf, const EdgeCrossings& crossings,
+                const FaceSpinePoints& spine_points, FeatureSet features, CellPatches& patches);
 
 }  // namespace triplex

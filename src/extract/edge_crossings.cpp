@@ -12,6 +12,7 @@
 
 #include "edge_root.hpp"
 #include "edge_table.hpp"
+#include "level_root.hpp"
 #include "triplex/certify/edge_side.hpp"
 
 namespace triplex {
@@ -33,12 +34,14 @@ std::array<double, 2> invariants_at(const Simplex<2>& edge, double t) {
 
 }  // namespace
 
-EdgeCrossings::EdgeCrossings(const RefinedComplex& complex, const std::vector<Sector>& labels,
+EdgeCrossings::EdgeCrossings(const RefinedComplex& complex, const FeatureTable& table,
+                             const VertexLabels& labels,
                              const std::vector<std::uint32_t>& active_leaves, FeatureSet features,
-                             SignStages& stages) {
-  EdgeTable table = crossed_edges(complex, labels, active_leaves);
-  first_edge_ = std::move(table.first);
-  edges_.resize(table.upper.size());
+                             SignStages& stages)
+    : table_(table), labels_(labels) {
+  EdgeTable edge_table = crossed_edges(complex, labels, active_leaves);
+  first_edge_ = std::move(edge_table.first);
+  edges_.resize(edge_table.upper.size());
   tbb::enumerable_thread_specific<SignStages> stages_per_thread;
   const tbb::blocked_range<std::size_t> all(0, edges_.size(), kGrain);
   const tbb::blocked_range<std::size_t> vertices(0, first_edge_.size() - 1, kGrain);
@@ -47,15 +50,8 @@ EdgeCrossings::EdgeCrossings(const RefinedComplex& complex, const std::vector<Se
   tbb::parallel_for(vertices, [&](const auto& range) {
     SignStages& mine = stages_per_thread.local();
     for (std::size_t v = range.begin(); v < range.end(); ++v)
-      for (std::uint32_t n = first_edge_[v]; n < first_edge_[v + 1]; ++n) {
-        const VertexId a{static_cast<std::uint32_t>(v)}, b = table.upper[n];
-        const Sector from = labels[index(a)], to = labels[index(b)];
-        const auto rotation = rotation_along(complex.field, a, b, from, to, mine);
-        // An open side still needs one value that both neighbours share: the short way round.
-        int turn = (index(to) - index(from) + kPages) % kPages;
-        if (turn > kPages / 2) turn -= kPages;
-        edges_[n] = {{a, b}, static_cast<std::int8_t>(rotation.value_or(turn)), !rotation, 0};
-      }
+      for (std::uint32_t n = first_edge_[v]; n < first_edge_[v + 1]; ++n)
+        edges_[n] = classify(complex.field, {VertexId(v), edge_table.upper[n]}, mine);
   });
   std::uint32_t count = 0;
   for (CrossedEdge& edge : edges_) {
@@ -64,28 +60,48 @@ EdgeCrossings::EdgeCrossings(const RefinedComplex& complex, const std::vector<Se
   }
   crossings_.resize(count);
   tbb::parallel_for(all, [&](const auto& range) {
-    for (std::size_t n = range.begin(); n < range.end(); ++n) {
-      const CrossedEdge& edge = edges_[n];
-      const Simplex<2> simplex(complex.field, edge.ends);
-      const std::array<Point, 2> ends = {complex.field.position(edge.ends[0]),
-                                         complex.field.position(edge.ends[1])};
-      for (int i = 0; i < edge.count(); ++i) {
-        const Feature page = page_crossed(labels[index(edge.ends[0])], edge.rotation, i);
-        Crossing& crossing = crossings_[edge.first + static_cast<std::uint32_t>(i)];
-        crossing.page = page;
-        if (!(features & bit(page))) continue;
-        const EdgeRoot root = find_crossing(simplex, page, edge.rotation > 0);
-        crossing.t = root.t;
-        crossing.error = root.error;
-        const auto [p, q] = invariants_at(simplex, root.t);
-        crossing.p = p;
-        crossing.q = q;
-        for (int k = 0; k < 3; ++k)
-          crossing.position[k] = ends[0][k] + root.t * (ends[1][k] - ends[0][k]);
-      }
-    }
+    for (std::size_t n = range.begin(); n < range.end(); ++n)
+      locate(complex.field, edges_[n], features);
   });
   for (const SignStages& s : stages_per_thread) stages += s;
+}
+
+CrossedEdge EdgeCrossings::classify(const RefinableField& field,
+                                    const std::array<VertexId, 2>& ends, SignStages& stages) const {
+  const auto [a, b] = ends;
+  const Sector from = labels_.sector(a), to = labels_.sector(b);
+  const auto rotation = rotation_along(field, a, b, from, to, table_, stages);
+  // An open side still needs one value that both neighbours share: the short way round.
+  const int pages = table_.page_count();
+  int turn = (index(to) - index(from) + pages) % pages;
+  if (turn > pages / 2) turn -= pages;
+  return {.ends = ends,
+          .rotation = static_cast<std::int8_t>(rotation.value_or(turn)),
+          .open = !rotation,
+          .levels = labels_.inside_of(a) ^ labels_.inside_of(b)};
+}
+
+void EdgeCrossings::locate(const RefinableField& field, const CrossedEdge& edge,
+                           FeatureSet features) {
+  Crossing* crossing = &crossings_[edge.first];
+  const Simplex<2> simplex(field, edge.ends);
+  const Point a = field.position(edge.ends[0]), b = field.position(edge.ends[1]);
+  const auto set = [&](Feature feature, const EdgeRoot& root) {
+    const auto [p, q] = invariants_at(simplex, root.t);
+    *crossing = {feature, root.t, root.error, {}, p, q};
+    for (int k = 0; k < 3; ++k) crossing->position[k] = a[k] + root.t * (b[k] - a[k]);
+    ++crossing;
+  };
+  for (int i = 0; i < edge.pages(); ++i) {
+    const Feature page = page_crossed(table_, labels_.sector(edge.ends[0]), edge.rotation, i);
+    set(page, contains(features, page) ? find_crossing(simplex, table_, page, edge.rotation > 0)
+                                       : EdgeRoot{});
+  }
+  for (FeatureSet rest = edge.levels; rest != 0; rest &= rest - 1) {
+    const auto feature = static_cast<Feature>(std::countr_zero(rest));
+    set(feature, find_level_crossing(field, edge.ends, table_.row(feature).level,
+                                     contains(labels_.inside_of(edge.ends[0]), feature)));
+  }
 }
 
 const CrossedEdge* EdgeCrossings::find(VertexId a, VertexId b) const {
@@ -96,10 +112,24 @@ const CrossedEdge* EdgeCrossings::find(VertexId a, VertexId b) const {
   return at != end && at->ends[1] == b ? &*at : nullptr;
 }
 
-int EdgeCrossings::crossing_of(const CrossedEdge& edge, Sector sector, Feature page) {
-  const int k = static_cast<int>(page), from = index(sector);
-  const int i = edge.rotation > 0 ? (k - from - 1 + kPages) % kPages : (from - k + kPages) % kPages;
-  return i < edge.count() ? static_cast<int>(edge.first) + i : -1;
+FeatureSet EdgeCrossings::features_on(const CrossedEdge& edge) const {
+  return edge.levels | pages_crossed(table_, labels_.sector(edge.ends[0]), edge.rotation);
+}
+
+int EdgeCrossings::crossing_of(const CrossedEdge& edge, Feature feature) const {
+  if (contains(edge.levels, feature))
+    return static_cast<int>(edge.first) + edge.pages() +
+           std::popcount(edge.levels & (bit(feature) - 1));
+  const int k = table_.position(feature);
+  if (k < 0) return -1;
+  const int from = index(labels_.sector(edge.ends[0])), pages = table_.page_count();
+  const int i = edge.rotation > 0 ? (k - from - 1 + pages) % pages : (from - k + pages) % pages;
+  return i < edge.pages() ? static_cast<int>(edge.first) + i : -1;
+}
+
+bool EdgeCrossings::ascends(const CrossedEdge& edge, Feature feature) const {
+  if (contains(edge.levels, feature)) return contains(labels_.inside_of(edge.ends[0]), feature);
+  return edge.rotation > 0;
 }
 
 }  // namespace triplex

@@ -3,50 +3,67 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
-#include "triplex/feature/feature.hpp"
-#include "triplex/refine/refine.hpp"
+#include "triplex/feature/feature_table.hpp"
+#include "vertex_labels.hpp"
 
 namespace triplex {
 
-/// A point where an edge meets a page.
+/// A point where an edge meets a page or a level set.
 struct Crossing {
-  Feature page;
+  Feature feature{};
   double t = 0;      ///< along the edge from its lower to its higher end
   double error = 1;  ///< the root is proven to lie within t +- error; 1 if nothing is proven
   Point position{};
   double p = 0, q = 0;  ///< of the deviator there, in the units of the input
 };
 
-/// An edge of the refined mesh whose ends lie in different sectors. Its crossings are the pages
-/// between the sectors, in order from the lower to the higher end.
+/// An edge of the refined mesh whose ends differ in their labels. Its crossings are the pages
+/// between the sectors, in order from the lower to the higher end, then the level sets, in order of
+/// the table.
 struct CrossedEdge {
   std::array<VertexId, 2> ends;  ///< ascending
   std::int8_t rotation = 0;      ///< pages crossed, positive counter-clockwise
   bool open = false;             ///< the side of the spine could not be decided
+  FeatureSet levels = 0;         ///< level sets crossed
   std::uint32_t first = 0;       ///< its first crossing
 
-  int count() const { return rotation < 0 ? -rotation : rotation; }
+  int pages() const { return rotation < 0 ? -rotation : rotation; }
+  int count() const { return pages() + std::popcount(levels); }
 };
 
 /// All crossed edges of the complex, each once, with their crossings.
 class EdgeCrossings {
  public:
-  /// `labels` has a sector for every vertex. Crossings of pages outside `features` get no position.
-  EdgeCrossings(const RefinedComplex& complex, const std::vector<Sector>& labels,
-                const std::vector<std::uint32_t>& active_leaves, FeatureSet features,
-                SignStages& stages);
+  /// Crossings of pages outside `features` get no position. Keeps the table and the labels.
+  EdgeCrossings(const RefinedComplex& complex, const FeatureTable& table,
+                const VertexLabels& labels, const std::vector<std::uint32_t>& active_leaves,
+                FeatureSet features, SignStages& stages);
 
+  const FeatureTable& table() const { return table_; }
+  const VertexLabels& labels() const { return labels_; }
   const std::vector<CrossedEdge>& edges() const { return edges_; }
   const std::vector<Crossing>& crossings() const { return crossings_; }
   /// The edge between two vertices, or nullptr if it is not crossed. \pre a < b.
   const CrossedEdge* find(VertexId a, VertexId b) const;
-  /// The crossing of a page on an edge that starts in `sector`, or -1.
-  static int crossing_of(const CrossedEdge& edge, Sector sector, Feature page);
+  /// The pages and level sets that cross an edge.
+  FeatureSet features_on(const CrossedEdge& edge) const;
+  /// The crossing of a feature on an edge, or -1.
+  int crossing_of(const CrossedEdge& edge, Feature feature) const;
+  /// Whether the edge, from its lower to its higher end, meets the feature in the sense in which
+  /// its surface is oriented: counter-clockwise; out of the convex set. \pre it crosses the edge.
+  bool ascends(const CrossedEdge& edge, Feature feature) const;
 
  private:
+  CrossedEdge classify(const RefinableField& field, const std::array<VertexId, 2>& ends,
+                       SignStages& stages) const;
+  void locate(const RefinableField& field, const CrossedEdge& edge, FeatureSet features);
+
+  const FeatureTable& table_;
+  const VertexLabels& labels_;
   std::vector<CrossedEdge> edges_;
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> first_edge_;  // per vertex: its first edge as lower end

@@ -3,12 +3,13 @@
 #include "edge_root.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <optional>
 
+#include "bracket.hpp"
 #include "triplex/arithmetic/root_isolation.hpp"
 #include "triplex/bernstein/discriminant.hpp"
+#include "triplex/certify/mode_page.hpp"
 
 namespace triplex {
 namespace {
@@ -30,25 +31,31 @@ double page_height(double P) {
 /// The function of a page, positive where the angle of (p, q) is beyond the page.
 class PageFunction {
  public:
-  PageFunction(const Simplex<2>& edge, Feature page)
-      : f_(edge.approximate()), bounds_(edge.bounds()), page_(page) {}
+  PageFunction(const Simplex<2>& edge, const FeatureRow& page, const Sheet& sheet)
+      : f_(mapped(edge.approximate(), sheet.map)), bounds_(edge.bounds()), kind_(sheet.kind) {
+    if (!sheet.map.is_identity()) bounds_ = mapped(bounds_, sheet.map);
+    const double p = static_cast<int>(page.sign_p), q = static_cast<int>(page.sign_q);
+    height_ = q;
+    switch (kind_) {
+      case Sheet::Kind::Balanced:
+        sense_ = -q;
+        break;
+      case Sheet::Kind::Neutral:
+        sense_ = p;
+        break;
+      case Sheet::Kind::Curved:
+        sense_ = -p;
+    }
+  }
 
   double operator()(double t) const {
-    switch (page_) {
-      case Feature::NeutralComplex:
-        return cubic(f_, t);
-      case Feature::NeutralReal:
-        return -cubic(f_, t);
-      case Feature::BalancedLinear:
-        return -quadratic(f_, t);
-      case Feature::BalancedPlanar:
-        return quadratic(f_, t);
-      case Feature::DegenerateLinear:
-        return page_height(quadratic(f_, t)) - cubic(f_, t);
-      case Feature::DegeneratePlanar:
-        return -page_height(quadratic(f_, t)) - cubic(f_, t);
-      case Feature::TripleCurve:
-        break;
+    switch (kind_) {
+      case Sheet::Kind::Balanced:
+        return sense_ * quadratic(f_, t);
+      case Sheet::Kind::Neutral:
+        return sense_ * cubic(f_, t);
+      case Sheet::Kind::Curved:
+        return sense_ * (height_ * page_height(quadratic(f_, t)) - cubic(f_, t));
     }
     return 0;
   }
@@ -59,23 +66,14 @@ class PageFunction {
     // 8 roundings, weights included, and the terms add up to the largest coefficient.
     const double p_error = bounds_.p_error + gamma(8) * bounds_.p_magnitude;
     const double q_error = bounds_.q_error + gamma(9) * bounds_.q_magnitude;
-    switch (page_) {
-      case Feature::BalancedLinear:
-      case Feature::BalancedPlanar:
-        return certainty((*this)(t), p_error);
-      case Feature::NeutralReal:
-      case Feature::NeutralComplex:
-        return certainty((*this)(t), q_error);
-      default:
-        break;
-    }
+    if (kind_ == Sheet::Kind::Balanced) return certainty((*this)(t), p_error);
+    if (kind_ == Sheet::Kind::Neutral) return certainty((*this)(t), q_error);
     // The height is monotone in P; square root, quotient and products take 6 roundings each side.
     const double P = quadratic(f_, t), q = cubic(f_, t);
     const double highest = page_height(P - p_error) * (1 + 2 * gamma(8));
     const double lowest = page_height(P + p_error) * (1 - 2 * gamma(8));
     const double slack = q_error + gamma(2) * (highest + bounds_.q_magnitude);
-    const double sign = page_ == Feature::DegenerateLinear ? 1 : -1;
-    const double a = sign * highest - q, b = sign * lowest - q;
+    const double a = sense_ * (height_ * highest - q), b = sense_ * (height_ * lowest - q);
     if (std::fmin(a, b) > slack) return Certainty::Positive;
     if (std::fmax(a, b) < -slack) return Certainty::Negative;
     return Certainty::Unknown;
@@ -87,10 +85,10 @@ class PageFunction {
     double dp = 0, dq = 0;
     for (int i = 0; i < 2; ++i) dp = std::max(dp, 2 * std::fabs(f_.p[i + 1] - f_.p[i]));
     for (int i = 0; i < 3; ++i) dq = std::max(dq, 3 * std::fabs(f_.q[i + 1] - f_.q[i]));
-    const Sheet sheet = row(page_).sheet;
-    const double bound = sheet == Sheet::Balanced ? bounds_.p_error : bounds_.q_error;
-    double slope = sheet == Sheet::Balanced ? dp : dq;
-    if (sheet != Sheet::Balanced && sheet != Sheet::Neutral) {
+    const bool balanced = kind_ == Sheet::Kind::Balanced;
+    const double bound = balanced ? bounds_.p_error : bounds_.q_error;
+    double slope = balanced ? dp : dq;
+    if (kind_ == Sheet::Kind::Curved) {
       const double least = std::min({f_.p[0], f_.p[1], f_.p[2]});
       slope += 3 * std::sqrt(std::max(0.0, -least) / 6) * dp;
     }
@@ -98,54 +96,28 @@ class PageFunction {
   }
 
  private:
-  const Forms<double, 2>& f_;
-  const FormBounds& bounds_;
-  Feature page_;
+  Forms<double, 2> f_;
+  FormBounds bounds_;
+  Sheet::Kind kind_;
+  double sense_ = 1;   // of the sheet's function against the angle
+  double height_ = 1;  // side of q on which the page stands
 };
 
-/// A root in doubles of a function that should change sign on [low, high]; an end point if rounding
-/// hides the change.
-template <class F>
-double solve(const F& f, double low, double high) {
-  const double at_low = f(low), at_high = f(high);
-  if (at_low == 0) return low;
-  if (at_high == 0) return high;
-  if ((at_low < 0) == (at_high < 0)) return std::fabs(at_low) < std::fabs(at_high) ? low : high;
-  std::uintmax_t steps = 80;  // bisection alone needs 53
-  const auto bracket = boost::math::tools::toms748_solve(
-      f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(52), steps);
-  return std::fabs(f(bracket.first)) < std::fabs(f(bracket.second)) ? bracket.first
-                                                                    : bracket.second;
-}
-
 /// The part of the edge on which p has the page's sign.
-std::array<double, 2> part_of(const Simplex<2>& edge, Feature page) {
-  const Sign wanted = row(page).sign_p;
+std::array<double, 2> part_of(const Simplex<2>& edge, const FeatureRow& page) {
+  const Sign wanted = page.sign_p;
   const auto& f = edge.approximate();
   if (wanted == Sign::Zero || (f.p[0] < 0) == (f.p[2] < 0)) return {0, 1};
-  const double t = solve([&](double x) { return quadratic(f, x); }, 0.0, 1.0);
+  const double t = bracketed_root([&](double x) { return quadratic(f, x); }, 0.0, 1.0);
   const bool first_part = (f.p[0] < 0) == (wanted == Sign::Negative);
   return first_part ? std::array{0.0, t} : std::array{t, 1.0};
 }
 
-/// The smallest power-of-two distance at which the filter sees the sign change around t.
-double certified_error(const PageFunction& f, double t, bool rising) {
-  const Certainty before = rising ? Certainty::Negative : Certainty::Positive;
-  const Certainty after = rising ? Certainty::Positive : Certainty::Negative;
-  double error = 0x1p-50;
-  const double hopeless = std::min(f.hopeless_distance(t), kWidestBracket / 4);
-  while (error < hopeless) error *= 4;
-  for (; error <= kWidestBracket; error *= 4) {
-    const bool left = t - error <= 0 || f.sign_at(t - error) == before;
-    if (left && (t + error >= 1 || f.sign_at(t + error) == after)) return error;
-  }
-  return 1;
-}
-
 /// Exact isolation of the page's polynomial on the unperturbed edge: the root on the page next to
 /// t.
-std::optional<EdgeRoot> isolate(const Simplex<2>& edge, Feature page, double t) {
-  const auto forms = forms_of<Exact, 2>(edge.exact_tensors());
+std::optional<EdgeRoot> isolate(const Simplex<2>& edge, const FeatureRow& page, const Sheet& sheet,
+                                double t) {
+  const auto forms = mapped(forms_of<Exact, 2>(edge.exact_tensors()), sheet.map);
   const RootIsolation p(std::span<const Exact>(forms.p)), q(std::span<const Exact>(forms.q));
   const auto sextic = [&] {
     auto d = minus_discriminant(forms);
@@ -154,8 +126,9 @@ std::optional<EdgeRoot> isolate(const Simplex<2>& edge, Feature page, double t) 
       d[n] = d[n] * Exact(60 / kMonomials<2, 6>.multinomial[n]);
     return RootIsolation(std::span<const Exact>(d));
   };
-  const Sheet sheet = row(page).sheet;
-  RootIsolation roots = sheet == Sheet::Balanced ? p : sheet == Sheet::Neutral ? q : sextic();
+  RootIsolation roots = sheet.kind == Sheet::Kind::Balanced  ? p
+                        : sheet.kind == Sheet::Kind::Neutral ? q
+                                                             : sextic();
   if (roots.identically_zero()) return std::nullopt;
 
   const auto allows = [&](const RootIsolation& other, Sign wanted, std::size_t i) {
@@ -163,9 +136,10 @@ std::optional<EdgeRoot> isolate(const Simplex<2>& edge, Feature page, double t) 
     const Sign found = roots.sign_at_root(other.polynomial(), i);
     return found == wanted || found == Sign::Zero;
   };
+  const Sign wanted_p = sheet.map.p_factor < 0 ? -page.sign_p : page.sign_p;
   std::optional<EdgeRoot> nearest;
   for (std::size_t i = 0; i < roots.roots().size(); ++i) {
-    if (!allows(p, row(page).sign_p, i) || !allows(q, row(page).sign_q, i)) continue;
+    if (!allows(p, wanted_p, i) || !allows(q, page.sign_q, i)) continue;
     roots.refine(i, 54);
     const EdgeRoot root{roots.roots()[i].middle_approx(), 0x1p-52};
     if (!nearest || std::fabs(root.t - t) < std::fabs(nearest->t - t)) nearest = root;
@@ -175,13 +149,17 @@ std::optional<EdgeRoot> isolate(const Simplex<2>& edge, Feature page, double t) 
 
 }  // namespace
 
-EdgeRoot find_crossing(const Simplex<2>& edge, Feature page, bool rising) {
-  const PageFunction f(edge, page);
-  const auto [low, high] = part_of(edge, page);
-  EdgeRoot root{solve(f, low, high), 1};
-  if (edge.filter_usable()) root.error = certified_error(f, root.t, rising);
+EdgeRoot find_crossing(const Simplex<2>& edge, const FeatureTable& table, Feature page,
+                       bool rising) {
+  const FeatureRow& row = table.row(page);
+  const PageFunction f(edge, row, table.sheet(page));
+  const auto [low, high] = part_of(edge, row);
+  EdgeRoot root{bracketed_root(f, low, high), 1};
+  if (edge.filter_usable())
+    root.error = certified_error([&](double t) { return f.sign_at(t); }, root.t, rising,
+                                 f.hopeless_distance(root.t));
   if (root.error > kWidestBracket) {
-    if (const auto exact = isolate(edge, page, root.t)) root = *exact;
+    if (const auto exact = isolate(edge, row, table.sheet(page), root.t)) root = *exact;
   }
   return root;
 }

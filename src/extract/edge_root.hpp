@@ -3,7 +3,7 @@
 #pragma once
 
 #include "triplex/certify/simplex.hpp"
-#include "triplex/feature/feature.hpp"
+#include "triplex/feature/feature_table.hpp"
 
 namespace triplex {
 
@@ -17,7 +17,8 @@ struct EdgeRoot {
 /// crossing. The approximation comes from doubles (TOMS 748); its bracket is then certified by the
 /// filter, and by exact root isolation where the filter leaves it wider than kWidestBracket.
 /// Guarantee: where the page crosses the edge once, the crossing lies within `error` of t.
-EdgeRoot find_crossing(const Simplex<2>& edge, Feature page, bool rising);
+EdgeRoot find_crossing(const Simplex<2>& edge, const FeatureTable& table, Feature page,
+                       bool rising);
 
 inline constexpr double kWidestBracket = 0x1p-24;
 

@@ -13,24 +13,22 @@ namespace {
 
 /// Calls take(lower, upper) for every such edge of every tet whose lower end lies in [low, high).
 template <class Take>
-void for_each_edge(const RefinedComplex& complex, const std::vector<Sector>& labels,
+void for_each_edge(const RefinedComplex& complex, const VertexLabels& labels,
                    const std::vector<std::uint32_t>& active_leaves, std::size_t low,
                    std::size_t high, const Take& take) {
   for (const std::uint32_t n : active_leaves) {
     const auto& v = complex.leaves[n].vertices;
-    const std::array<Sector, 4> label = {labels[index(v[0])], labels[index(v[1])],
-                                         labels[index(v[2])], labels[index(v[3])]};
     for (int i = 0; i < 3; ++i) {
       if (index(v[i]) < low || index(v[i]) >= high) continue;
       for (int j = i + 1; j < 4; ++j)
-        if (label[i] != label[j]) take(index(v[i]), v[j]);
+        if (!labels.agree(v[i], v[j])) take(index(v[i]), v[j]);
     }
   }
 }
 
 }  // namespace
 
-EdgeTable crossed_edges(const RefinedComplex& complex, const std::vector<Sector>& labels,
+EdgeTable crossed_edges(const RefinedComplex& complex, const VertexLabels& labels,
                         const std::vector<std::uint32_t>& active_leaves) {
   const std::size_t vertices = complex.field.vertex_count();
   std::vector<std::uint32_t> first(vertices + 1, 0), count(vertices, 0);

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "triplex/refine/refine.hpp"
+#include "vertex_labels.hpp"
 
 namespace triplex {
 
-/// The edges of active tets whose ends differ in sector, by their lower ends: the upper ends of
+/// The edges of active tets whose ends differ in some label, by their lower ends: the upper ends of
 /// those of vertex v are upper[first[v]], ..., upper[first[v + 1] - 1], ascending, each once.
 struct EdgeTable {
   std::vector<std::uint32_t> first;
@@ -17,7 +17,7 @@ struct EdgeTable {
 };
 
 /// Time linear in vertices and active tets. The same table for any number of threads.
-EdgeTable crossed_edges(const RefinedComplex& complex, const std::vector<Sector>& labels,
+EdgeTable crossed_edges(const RefinedComplex& complex, const VertexLabels& labels,
                         const std::vector<std::uint32_t>& active_leaves);
 
 }  // namespace triplex

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 #include <tbb/task_arena.h>
 
@@ -37,51 +36,12 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// A sector for every vertex. Where certification left it open the doubles choose, zero counting as
-/// positive: one choice for all tets around, so the mesh stays watertight; they are all open
-/// anyway.
-std::vector<Sector> labels_of(const RefinedComplex& complex) {
-  std::vector<Sector> labels(complex.sectors.size());
-  for (std::size_t v = 0; v < labels.size(); ++v) {
-    if (complex.sectors[v] != kOpenSector) {
-      labels[v] = static_cast<Sector>(complex.sectors[v]);
-      continue;
-    }
-    const Simplex<1> vertex(complex.field, {VertexId(v)});
-    const double P = vertex.approximate().p[0], Q = vertex.approximate().q[0];
-    const bool real = 2 * P * P * P + 3 * Q * Q < 0;
-    labels[v] = P >= 0   ? (Q >= 0 ? Sector::InnerComplexLinear : Sector::InnerComplexPlanar)
-                : Q >= 0 ? (real ? Sector::RealLinear : Sector::OuterComplexLinear)
-                         : (real ? Sector::RealPlanar : Sector::OuterComplexPlanar);
-  }
-  return labels;
-}
-
-/// Tets with vertices in more than one sector: only these can hold patches.
-std::vector<std::uint32_t> active_leaves(const RefinedComplex& complex,
-                                         const std::vector<Sector>& labels) {
-  constexpr std::size_t kChunk = 1u << 15;
-  std::vector<std::vector<std::uint32_t>> parts((complex.leaves.size() + kChunk - 1) / kChunk);
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
-    const std::size_t end = std::min((part + 1) * kChunk, complex.leaves.size());
-    for (std::size_t n = part * kChunk; n < end; ++n) {
-      const auto& v = complex.leaves[n].vertices;
-      const Sector first = labels[index(v[0])];
-      if (labels[index(v[1])] != first || labels[index(v[2])] != first ||
-          labels[index(v[3])] != first)
-        parts[part].push_back(static_cast<std::uint32_t>(n));
-    }
-  });
-  std::vector<std::uint32_t> active;
-  for (const auto& part : parts) active.insert(active.end(), part.begin(), part.end());
-  return active;
-}
-
 /// Opens the tets whose patches rest on something that could not be computed: the side of the spine
 /// of one of their edges, or the place of the triple degenerate point on one of their faces.
 void open_unsettled(const EdgeCrossings& crossings, const FaceSpinePoints& spine_points,
                     const std::vector<std::uint32_t>& active, FeatureSet features,
                     RefinedComplex& complex) {
+  const FeatureSet level_sets = crossings.table().level_sets();
   const auto unsettled = [&](const Leaf& leaf) {
     const auto& v = leaf.vertices;
     for (int i = 0; i < 4; ++i)
@@ -107,8 +67,8 @@ void open_unsettled(const EdgeCrossings& crossings, const FaceSpinePoints& spine
   for (const std::uint32_t n : active) {
     Leaf& leaf = complex.leaves[n];
     if (!unsettled(leaf)) continue;
-    leaf.graph = 0;
-    leaf.open = features;
+    leaf.graph &= level_sets;
+    leaf.open |= features & ~level_sets;
     leaf.has_spine_proof = false;
     if (leaf.obstacle == Obstacle::None) leaf.obstacle = Obstacle::SpineFace;
   }
@@ -181,6 +141,7 @@ std::vector<UnresolvedTet> unresolved_tets(const TensorField& input, const Refin
 
 RefineOptions refine_options(const TensorField& field, const ExtractionOptions& options) {
   RefineOptions r;
+  r.table = options.table;
   r.features = options.features;
   r.max_bisections = options.max_bisections;
   r.max_tets = kGrowth * field.mesh.tets.size() + kRoom;
@@ -202,15 +163,18 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
 
   // Vertices, edges, faces, cells.
   report("extract");
-  const std::vector<Sector> labels = labels_of(complex);
+  const VertexLabels labels = labels_of(complex, options.table);
   const std::vector<std::uint32_t> active = active_leaves(complex, labels);
   SignStages stages = complex.sign_stages;
-  const EdgeCrossings crossings(complex, labels, active, options.features, stages);
+  const EdgeCrossings crossings(complex, options.table, labels, active, options.features, stages);
   const FaceSpinePoints spine_points(complex, labels, active, crossings);
   open_unsettled(crossings, spine_points, active, options.features, complex);
   report("mesh");
-  result.features = FeatureMeshBuilder(field, complex, labels, crossings, spine_points)
-                        .build(active, options.features);
+  result.table = options.table;
+  result.requested = options.features;
+  result.features =
+      FeatureMeshBuilder(field, complex, crossings, spine_points, options.keep_tensors)
+          .build(active, options.features);
 
   result.sign_stages = stages;
   result.certificates = count_certificates(complex, options.features);

@@ -81,13 +81,14 @@ SpinePoint locate(const RefinableField& field, const std::array<VertexId, 3>& fa
 
 /// p, or q, has one sign at all vertices. Rotations between such sectors are differences of angles
 /// in a half plane, so they add up to zero around every face.
-bool stays_in_half_plane(const std::array<VertexId, 4>& v, const std::vector<Sector>& labels) {
+bool stays_in_half_plane(const std::array<VertexId, 4>& v, const VertexLabels& labels,
+                         const FeatureTable& table) {
   bool same_p = true, same_q = true;
-  const Sector first = labels[index(v[0])];
+  const Sector first = labels.sector(v[0]);
   for (int i = 1; i < 4; ++i) {
-    const Sector other = labels[index(v[i])];
-    same_p &= sign_p(other) == sign_p(first);
-    same_q &= sign_q(other) == sign_q(first);
+    const Sector other = labels.sector(v[i]);
+    same_p &= table.sign_p(other) == table.sign_p(first);
+    same_q &= table.sign_q(other) == table.sign_q(first);
   }
   return same_p || same_q;
 }
@@ -97,10 +98,10 @@ bool stays_in_half_plane(const std::array<VertexId, 4>& v, const std::vector<Sec
 int winding(const EdgeCrossings& crossings, VertexId a, VertexId b, VertexId c) {
   return (directed_rotation(crossings, a, b) + directed_rotation(crossings, b, c) +
           directed_rotation(crossings, c, a)) /
-         kPages;
+         crossings.table().page_count();
 }
 
-FaceSpinePoints::FaceSpinePoints(const RefinedComplex& complex, const std::vector<Sector>& labels,
+FaceSpinePoints::FaceSpinePoints(const RefinedComplex& complex, const VertexLabels& labels,
                                  const std::vector<std::uint32_t>& active_leaves,
                                  const EdgeCrossings& crossings) {
   using Face = std::array<VertexId, 3>;
@@ -110,7 +111,7 @@ FaceSpinePoints::FaceSpinePoints(const RefinedComplex& complex, const std::vecto
                       auto& mine = found.local();
                       for (std::size_t n = range.begin(); n < range.end(); ++n) {
                         const auto& v = complex.leaves[active_leaves[n]].vertices;
-                        if (stays_in_half_plane(v, labels)) continue;
+                        if (stays_in_half_plane(v, labels, crossings.table())) continue;
                         for (int omit = 0; omit < 4; ++omit) {
                           Face face;
                           for (int i = 0, k = 0; i < 4; ++i)

@@ -20,7 +20,7 @@ struct SpinePoint {
 /// All faces of active tets around which (p, q) winds, each once, with their points.
 class FaceSpinePoints {
  public:
-  FaceSpinePoints(const RefinedComplex& complex, const std::vector<Sector>& labels,
+  FaceSpinePoints(const RefinedComplex& complex, const VertexLabels& labels,
                   const std::vector<std::uint32_t>& active_leaves, const EdgeCrossings& crossings);
   const std::vector<SpinePoint>& points() const { return points_; }
   /// The number of the point on a face, or -1. \pre the vertices ascend.
@@ -32,7 +32,7 @@ class FaceSpinePoints {
 };
 
 /// How often (p, q) winds around the origin along the boundary of a face a -> b -> c -> a: the sum
-/// of the rotations over six; -1, 0 or 1.
+/// of the rotations over the number of pages; -1, 0 or 1.
 int winding(const EdgeCrossings& crossings, VertexId a, VertexId b, VertexId c);
 
 }  // namespace triplex

@@ -21,17 +21,22 @@ double squared_distance(const Point& a, const Point& b) {
 }
 
 /// p, q and mode with the values that the feature has by definition put in.
-std::array<double, 3> on_feature(Feature feature, double p, double q) {
-  const double w = std::sqrt(std::fmax(0, -p) / 3);
-  switch (row(feature).sheet) {
-    case Sheet::Balanced:
+std::array<double, 3> on_feature(const FeatureTable& table, Feature feature, double p, double q) {
+  const FeatureRow& row = table.row(feature);
+  if (row.kind == FeatureKind::LevelSet) {
+    const double w = std::sqrt(std::fabs(p) / 3);
+    return {p, q, std::fabs(q) / (2 * w * w * w)};
+  }
+  switch (table.sheet(feature).kind) {
+    case Sheet::Kind::Balanced:
       return {0, q, std::numeric_limits<double>::infinity()};
-    case Sheet::Neutral:
+    case Sheet::Kind::Neutral:
       return {p, 0, 0};
-    case Sheet::DegenerateLinear:
-      return {p, 2 * w * w * w, 1};
-    case Sheet::DegeneratePlanar:
-      return {p, -2 * w * w * w, 1};
+    case Sheet::Kind::Curved: {
+      const double sign_p = static_cast<int>(row.sign_p), sign_q = static_cast<int>(row.sign_q);
+      const double w = std::sqrt(std::fmax(0, sign_p * p) / 3), mu = row.mode.value();
+      return {p, sign_q * mu * 2 * w * w * w, mu};
+    }
   }
   return {p, q, 0};
 }
@@ -40,7 +45,7 @@ std::array<double, 3> on_feature(Feature feature, double p, double q) {
 /// can only happen in open tets, where a page may have two arcs on a face); then a spine point;
 /// then the lowest.
 std::size_t apex_of(const PatchLoop& loop) {
-  const std::size_t n = loop.size();
+  const std::size_t n = loop.size;
   const auto rank = [&](std::size_t i) {
     int diagonals_in_faces = 0;
     for (std::size_t k = 2; k + 1 < n; ++k)
@@ -58,54 +63,63 @@ constexpr std::array<double, 3> kOnSpine = {0, 0, std::numeric_limits<double>::q
 }  // namespace
 
 FeatureMeshBuilder::FeatureMeshBuilder(const TensorField& input, const RefinedComplex& complex,
-                                       const std::vector<Sector>& labels,
                                        const EdgeCrossings& crossings,
-                                       const FaceSpinePoints& spine_points)
+                                       const FaceSpinePoints& spine_points, bool keep_tensors)
     : input_(input),
       complex_(complex),
-      labels_(labels),
+      table_(crossings.table()),
       crossings_(crossings),
-      spine_points_(spine_points) {}
+      spine_points_(spine_points),
+      keep_tensors_(keep_tensors),
+      edge_of_(crossings.crossings().size()) {
+  for (std::size_t e = 0; e < crossings.edges().size(); ++e) {
+    const CrossedEdge& edge = crossings.edges()[e];
+    for (int i = 0; i < edge.count(); ++i)
+      edge_of_[edge.first + static_cast<std::uint32_t>(i)] = static_cast<std::uint32_t>(e);
+  }
+}
 
-std::array<FeatureMesh, kFeatures> FeatureMeshBuilder::build(
-    const std::vector<std::uint32_t>& active_leaves, FeatureSet features) const {
+std::vector<FeatureMesh> FeatureMeshBuilder::build(const std::vector<std::uint32_t>& active_leaves,
+                                                   FeatureSet features) const {
   std::vector<Cells> parts((active_leaves.size() + kChunk - 1) / kChunk);
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t n) {
+    parts[n].resize(static_cast<std::size_t>(table_.size()));
+    CellPatches patches;
     const std::size_t end = std::min((n + 1) * kChunk, active_leaves.size());
     for (std::size_t i = n * kChunk; i < end; ++i)
-      add_leaf(complex_.leaves[active_leaves[i]], features, parts[n]);
+      add_leaf(complex_.leaves[active_leaves[i]], features, patches, parts[n]);
   });
-  std::array<FeatureMesh, kFeatures> meshes;
-  tbb::parallel_for(0, kFeatures, [&](int f) {
-    if (features & bit(f)) meshes[f] = assemble(static_cast<Feature>(f), parts);
+  std::vector<FeatureMesh> meshes(static_cast<std::size_t>(table_.size()));
+  tbb::parallel_for(std::size_t{0}, meshes.size(), [&](std::size_t n) {
+    const auto feature = static_cast<Feature>(n);
+    if (contains(features, feature)) meshes[n] = assemble(feature, parts);
   });
   return meshes;
 }
 
-void FeatureMeshBuilder::add_leaf(const Leaf& leaf, FeatureSet features, Cells& cells) const {
-  const CellPatches patches = patches_of(leaf, labels_, crossings_, spine_points_, features);
+void FeatureMeshBuilder::add_leaf(const Leaf& leaf, FeatureSet features, CellPatches& patches,
+                                  Cells& cells) const {
+  patches_of(leaf, crossings_, spine_points_, features, patches);
   const std::int64_t source = source_cell(leaf.input);
-  const auto certified = [&](int feature) { return !(leaf.open & bit(feature)); };
-  for (int page = 0; page < kPages; ++page)
-    for (const PatchLoop& loop : patches.pages[page])
-      add_fan(loop, source, certified(page), cells[page]);
-  constexpr int kCurve = static_cast<int>(Feature::TripleCurve);
+  for (const PatchLoop& loop : patches.loops)
+    add_fan(loop, source, !contains(leaf.open, loop.feature), cells[index(loop.feature)]);
   for (const auto& [a, b] : patches.spine)
-    cells[kCurve].push_back({{a, b, b}, source, certified(kCurve)});
+    cells[index(Feature::TripleCurve)].push_back(
+        {{a, b, b}, source, !contains(leaf.open, Feature::TripleCurve)});
 }
 
 void FeatureMeshBuilder::add_fan(const PatchLoop& loop, std::int64_t source, bool certified,
                                  std::vector<Cell>& out) const {
+  const std::size_t n = loop.size;
   std::size_t apex = apex_of(loop);
-  if (loop.size() == 4 && !loop[apex].on_spine) {
+  if (n == 4 && !loop[apex].on_spine) {
     const auto corner = [&](std::size_t i) { return position(loop[(apex + i) % 4]); };
     if (squared_distance(corner(1), corner(3)) < squared_distance(corner(0), corner(2)))
       apex = (apex + 1) % 4;
   }
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-    out.push_back({{loop[apex], loop[(apex + i) % loop.size()], loop[(apex + i + 1) % loop.size()]},
-                   source,
-                   certified});
+  for (std::size_t i = 1; i + 1 < n; ++i)
+    out.push_back(
+        {{loop[apex], loop[(apex + i) % n], loop[(apex + i + 1) % n]}, source, certified});
 }
 
 FeatureMesh FeatureMeshBuilder::assemble(Feature feature, const std::vector<Cells>& parts) const {
@@ -157,15 +171,37 @@ Point FeatureMeshBuilder::position(const PatchVertex& v) const {
 
 void FeatureMeshBuilder::add_vertex(Feature feature, const PatchVertex& v,
                                     FeatureMesh& mesh) const {
-  std::array<double, 3> values = kOnSpine;
-  if (!v.on_spine) {
-    const Crossing& crossing = crossings_.crossings()[v.number];
-    values = on_feature(feature, crossing.p, crossing.q);
-  }
+  const auto [p, q, mode] = v.on_spine ? kOnSpine : invariants(feature, v);
   mesh.points.push_back(position(v));
-  mesh.p.push_back(values[0]);
-  mesh.q.push_back(values[1]);
-  mesh.mode.push_back(values[2]);
+  mesh.p.push_back(p);
+  mesh.q.push_back(q);
+  mesh.mode.push_back(mode);
+  if (keep_tensors_) mesh.tensors.push_back(tensor(v));
+}
+
+std::array<double, 3> FeatureMeshBuilder::invariants(Feature feature, const PatchVertex& v) const {
+  const Crossing& crossing = crossings_.crossings()[v.number];
+  return on_feature(table_, feature, crossing.p, crossing.q);
+}
+
+/// The tensors at the corners of the vertex's edge or face, weighted like its position.
+Tensor<double> FeatureMeshBuilder::tensor(const PatchVertex& v) const {
+  Tensor<double> sum{};
+  const auto add = [&](VertexId corner, double weight) {
+    const ApproximateTensor t = complex_.field.approximate_tensor(corner);
+    for (std::size_t k = 0; k < sum.size(); ++k)
+      sum[k] += std::ldexp(weight * t.a[k], -complex_.field.scale_exponent());
+  };
+  if (v.on_spine) {
+    const SpinePoint& point = spine_points_.points()[v.number];
+    for (std::size_t i = 0; i < 3; ++i) add(point.face[i], point.barycentric[i]);
+  } else {
+    const auto& ends = crossings_.edges()[edge_of_[v.number]].ends;
+    const double t = crossings_.crossings()[v.number].t;
+    add(ends[0], 1 - t);
+    add(ends[1], t);
+  }
+  return sum;
 }
 
 std::int64_t FeatureMeshBuilder::source_cell(TetId tet) const {

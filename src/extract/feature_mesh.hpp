@@ -15,11 +15,12 @@ namespace triplex {
 class FeatureMeshBuilder {
  public:
   FeatureMeshBuilder(const TensorField& input, const RefinedComplex& complex,
-                     const std::vector<Sector>& labels, const EdgeCrossings& crossings,
-                     const FaceSpinePoints& spine_points);
+                     const EdgeCrossings& crossings, const FaceSpinePoints& spine_points,
+                     bool keep_tensors);
 
-  std::array<FeatureMesh, kFeatures> build(const std::vector<std::uint32_t>& active_leaves,
-                                           FeatureSet features) const;
+  /// One mesh per row of the table.
+  std::vector<FeatureMesh> build(const std::vector<std::uint32_t>& active_leaves,
+                                 FeatureSet features) const;
 
  private:
   struct Cell {  // a triangle or, with two vertices, a segment
@@ -27,21 +28,25 @@ class FeatureMeshBuilder {
     std::int64_t source;
     bool certified;
   };
-  using Cells = std::array<std::vector<Cell>, kFeatures>;
+  using Cells = std::vector<std::vector<Cell>>;  // per row of the table
 
-  void add_leaf(const Leaf& leaf, FeatureSet features, Cells& cells) const;
+  void add_leaf(const Leaf& leaf, FeatureSet features, CellPatches& patches, Cells& cells) const;
   void add_fan(const PatchLoop& loop, std::int64_t source, bool certified,
                std::vector<Cell>& out) const;
   FeatureMesh assemble(Feature feature, const std::vector<Cells>& parts) const;
   Point position(const PatchVertex& v) const;
   void add_vertex(Feature feature, const PatchVertex& v, FeatureMesh& mesh) const;
+  std::array<double, 3> invariants(Feature feature, const PatchVertex& v) const;
+  Tensor<double> tensor(const PatchVertex& v) const;
   std::int64_t source_cell(TetId tet) const;
 
   const TensorField& input_;
   const RefinedComplex& complex_;
-  const std::vector<Sector>& labels_;
+  const FeatureTable& table_;
   const EdgeCrossings& crossings_;
   const FaceSpinePoints& spine_points_;
+  const bool keep_tensors_;
+  std::vector<std::uint32_t> edge_of_;  // crossing -> its edge
 };
 
 }  // namespace triplex

@@ -22,11 +22,20 @@ inline std::int64_t cell_id(const TensorField& field, std::size_t tet) {
   return field.source_cells.empty() ? static_cast<std::int64_t>(tet) : field.source_cells[tet];
 }
 
-/// "cell 7 (points 1, 2, 3, 4)".
+/// Whether the tet is part of a cell that was split.
+inline bool is_part(const TensorField& field, std::size_t tet) {
+  const auto& cells = field.source_cells;
+  if (cells.empty()) return false;
+  return (tet > 0 && cells[tet - 1] == cells[tet]) ||
+         (tet + 1 < cells.size() && cells[tet + 1] == cells[tet]);
+}
+
+/// "cell 7 (points 1, 2, 3, 4)", or "cell 7 (part with points 1, 2, 3, 4)" if it was split.
 inline std::string describe_cell(const TensorField& field, std::size_t tet) {
   const auto& v = field.mesh.tets[tet];
-  return fmt::format("cell {} (points {}, {}, {}, {})", cell_id(field, tet), index(v[0]),
-                     index(v[1]), index(v[2]), index(v[3]));
+  return fmt::format("cell {} ({}points {}, {}, {}, {})", cell_id(field, tet),
+                     is_part(field, tet) ? "part with " : "", index(v[0]), index(v[1]), index(v[2]),
+                     index(v[3]));
 }
 
 }  // namespace triplex::detail

@@ -52,6 +52,7 @@ constexpr Box kLorenzBox{{-30, -30, 0}, {30, 30, 60}};
 constexpr Box kAbcBox{{0, 0, 0}, {2 * kPi, 2 * kPi, 2 * kPi}};
 constexpr Box kRayleighBenardBox{{0, 0, 0}, {2, 1, 1}};
 constexpr Box kRandomLinearBox{{-1, -1, -1}, {1, 1, 1}};
+constexpr Box kConstantBox{{0, 0, 0}, {1, 1, 1}};
 constexpr Box kNoiseBox{{0, 0, 0}, {1, 1, 1}};
 
 }  // namespace
@@ -111,17 +112,43 @@ TensorField generate_rayleigh_benard(const GridOptions& options,
   });
 }
 
-TensorField generate_random_linear(const GridOptions& options) {
+namespace {
+
+/// T0 + x Tx + y Ty + z Tz with random multiples of 2^-16; `adjust` is applied to the four.
+template <class Adjust>
+TensorField sample_random_linear(const GridOptions& options, const Adjust& adjust) {
   detail::SplitMix64 random(options.seed, ~std::uint64_t{0});
   std::array<Tensor<double>, 4> c;
   for (auto& tensor : c) {
     for (double& x : tensor) x = static_cast<double>(random.next_integer(1 << 16)) * 0x1p-16;
+    adjust(tensor);
   }
   return sample(options, kRandomLinearBox, [&](std::size_t, const Point& x) {
     Tensor<double> t;
     for (int i = 0; i < 9; ++i) t[i] = c[0][i] + x[0] * c[1][i] + (x[1] * c[2][i] + x[2] * c[3][i]);
     return t;
   });
+}
+
+}  // namespace
+
+TensorField generate_random_linear(const GridOptions& options) {
+  return sample_random_linear(options, [](Tensor<double>&) {});
+}
+
+TensorField generate_symmetric(const GridOptions& options) {
+  return sample_random_linear(options, [](Tensor<double>& t) {
+    t[3] = t[1];
+    t[6] = t[2];
+    t[7] = t[5];
+  });
+}
+
+TensorField generate_constant(const GridOptions& options, const Tensor<double>& tensor) {
+  for (const double x : tensor) {
+    if (!std::isfinite(x)) throw BadInput("the constant tensor must be finite; correct its value");
+  }
+  return sample(options, kConstantBox, [&](std::size_t, const Point&) { return tensor; });
 }
 
 TensorField generate_noise(const GridOptions& options) {
@@ -134,7 +161,7 @@ TensorField generate_noise(const GridOptions& options) {
 }
 
 std::span<const GeneratorRow> generator_table() {
-  static constexpr std::array<GeneratorRow, 5> table{{
+  static constexpr std::array<GeneratorRow, 7> table{{
       {"lorenz", "gradient of the Lorenz system",
        [](const GridOptions& options) { return generate_lorenz(options); }},
       {"abc", "gradient of the Arnold-Beltrami-Childress flow",
@@ -142,6 +169,9 @@ std::span<const GeneratorRow> generator_table() {
       {"rayleigh-benard", "velocity gradient of two Rayleigh-Benard convection cells",
        [](const GridOptions& options) { return generate_rayleigh_benard(options); }},
       {"random-linear", "random field that is linear in space", generate_random_linear},
+      {"symmetric", "random symmetric field that is linear in space", generate_symmetric},
+      {"constant", "the same tensor everywhere",
+       [](const GridOptions& options) { return generate_constant(options); }},
       {"noise", "independent random tensors", generate_noise},
   }};
   return table;

@@ -167,8 +167,8 @@ void check_orientation(const TensorField& field) {
   }
   throw BadInput(
       fmt::format("{} is inverted (negative volume); reorder its points with "
-                  "--fix-orientation",
-                  where));
+                  "--fix-orientation{}",
+                  where, detail::is_part(field, bad) ? ", or mesh again if it is not convex" : ""));
 }
 
 // ---- repairs ----

@@ -91,7 +91,9 @@ RefinableField::Combination RefinableField::combination(VertexId v) const {
   return {{v}, {1}, 0};
 }
 
-Tensor<Exact> RefinableField::exact(VertexId v) const {
+Tensor<Exact> RefinableField::exact(VertexId v) const { return triple_deviator(exact_tensor(v)); }
+
+Tensor<Exact> RefinableField::exact_tensor(VertexId v) const {
   const Combination c = combination(v);
   Tensor<Exact> sum;
   for (int i = 0; i < 4; ++i) {
@@ -101,7 +103,27 @@ Tensor<Exact> RefinableField::exact(VertexId v) const {
     const Tensor<double>& t = field_->tensors[input_of_[index(c.vertices[i])]];
     for (int k = 0; k < 9; ++k) sum[k] = sum[k] + weight * Exact(t[k]);
   }
-  return triple_deviator(sum);
+  return sum;
+}
+
+/// Scaling is exact but for underflow; the combination is as in `add_midpoint`.
+ApproximateTensor RefinableField::approximate_tensor(VertexId v) const {
+  const Combination c = combination(v);
+  ApproximateTensor r{};
+  for (int i = 0; i < 4; ++i) {
+    if (c.numerators[i] == 0) continue;
+    const double weight = std::ldexp(static_cast<double>(c.numerators[i]), -c.depth);
+    const Tensor<double>& t = field_->tensors[input_of_[index(c.vertices[i])]];
+    double largest = 0;
+    for (int k = 0; k < 9; ++k) {
+      const double entry = std::ldexp(t[k], scale_exponent_);
+      r.a[k] += weight * entry;
+      largest = std::fmax(largest, std::fabs(entry));
+    }
+    r.bounds.error = std::fmax(r.bounds.error, gamma(5) * largest + kUnderflow);
+  }
+  r.bounds.magnitude = largest_entry(r.a);
+  return r;
 }
 
 Point RefinableField::position(VertexId v) const {

@@ -20,13 +20,14 @@
 namespace triplex::detail {
 namespace fs = std::filesystem;
 
+namespace {
+
+/// The extension in lower case, with the dot.
 std::string lower_extension(const fs::path& file) {
   std::string text = file.extension().string();
   std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
   return text;
 }
-
-namespace {
 
 void check_readable(const fs::path& file) {
   std::error_code error;
@@ -67,7 +68,7 @@ vtkSmartPointer<vtkUnstructuredGrid> run(Reader& reader, const VtkMessages& mess
 }
 
 template <class Reader>
-vtkSmartPointer<vtkUnstructuredGrid> load_xml(const fs::path& file, const char* what) {
+LoadedGrid load_xml(const fs::path& file, const char* what) {
   const VtkMessages messages;
   const auto reader = vtkSmartPointer<Reader>::New();
   if (!reader->CanReadFile(file.c_str())) {
@@ -76,7 +77,9 @@ vtkSmartPointer<vtkUnstructuredGrid> load_xml(const fs::path& file, const char* 
         what));
   }
   reader->SetFileName(file.c_str());
-  return run(*reader, messages);
+  const auto grid = run(*reader, messages);
+  // A .pvtu file of one piece may refer to a file of several.
+  return {grid, lower_extension(file) == ".pvtu" || reader->GetNumberOfPieces() > 1};
 }
 
 /// VTK guesses at versions that it cannot read, and may crash on what it then takes for cells.
@@ -92,7 +95,7 @@ bool has_legacy_header(const fs::path& file) {
          version[2] <= '9';
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> load_legacy(const fs::path& file) {
+LoadedGrid load_legacy(const fs::path& file) {
   const VtkMessages messages;
   const auto reader = vtkSmartPointer<vtkUnstructuredGridReader>::New();
   reader->SetFileName(file.c_str());
@@ -104,12 +107,12 @@ vtkSmartPointer<vtkUnstructuredGrid> load_legacy(const fs::path& file) {
   reader->ReadAllFieldsOn();
   reader->ReadAllScalarsOn();
   reader->ReadAllVectorsOn();
-  return run(*reader, messages);
+  return {run(*reader, messages), false};
 }
 
 }  // namespace
 
-vtkSmartPointer<vtkUnstructuredGrid> load_grid(const fs::path& file) {
+LoadedGrid load_grid(const fs::path& file) {
   const std::string extension = lower_extension(file);
   if (extension != ".vtu" && extension != ".pvtu" && extension != ".vtk") {
     throw BadInput("unknown kind of file; give a .vtu, .pvtu or legacy .vtk file");

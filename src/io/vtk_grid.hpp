@@ -2,38 +2,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <cstdint>
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "triplex/field/tensor_field.hpp"
+#include "raw_field.hpp"
+#include "triplex/io/read_field.hpp"
 
 namespace triplex::detail {
 
-/// The extension in lower case, with the dot.
-std::string lower_extension(const std::filesystem::path& file);
+struct LoadedGrid {
+  vtkSmartPointer<vtkUnstructuredGrid> grid;
+  bool pieces;  ///< it consists of pieces, with points of their own
+};
 
 /// Reads a .vtu, .pvtu or legacy .vtk file, by extension.
 /// \throw BadInput, without the name of the file, if it cannot be read as an unstructured grid.
-vtkSmartPointer<vtkUnstructuredGrid> load_grid(const std::filesystem::path& file);
+LoadedGrid load_grid(const std::filesystem::path& file);
 
-/// A field as it stands in a file: not checked beyond types, sizes and ranges of ids.
-struct RawField {
-  TensorField field;
-  /// 1 for points that another piece owns. Empty if no point is flagged.
-  std::vector<std::uint8_t> copies;
-};
+inline constexpr int kTensorComponents = 9, kSymmetricComponents = 6, kVectorComponents = 3;
 
-/// Takes tets and tensors out of a grid; ghost cells are left out. The array is chosen by name, or
-/// it is the only one with nine components. \throw BadInput for other cells and unsuitable arrays.
-RawField take_field(vtkUnstructuredGrid& grid, const std::string& tensor_name);
+std::string name_of(vtkDataArray& array);
 
-/// Makes one mesh of the pieces of a partitioned file: joins points with equal coordinates and
-/// tensors, leaves out repeated cells and points without cells. \throw BadInput if tensors differ.
-TensorField join_pieces(RawField raw);
+/// The point array that the options name, or the only one with as many components as they need: 9,
+/// with `symmetric_order` 6, with `gradient_of` 3. \throw BadInput with the arrays there are.
+vtkDataArray& choose_array(vtkUnstructuredGrid& grid, const ReadOptions& options);
+
+/// The place in a row-major tensor, on or above the diagonal, of each of the six components that
+/// "xx,yy,zz,xy,yz,xz" or the like lists. \throw BadInput.
+std::array<int, 6> parse_symmetric_order(const std::string& order);
+
+/// The flags of vtkGhostType for points or cells, or null. \pre size is their number.
+const unsigned char* ghost_flags(vtkDataSetAttributes& data, vtkIdType size);
+
+/// Takes the cells as tets: those that are none are split, ghosts are left out.
+/// \pre field.mesh.points are those of the grid. \throw BadInput for other cells and bad ids.
+void take_cells(vtkUnstructuredGrid& grid, TensorField& field);
+
+/// Takes points, tets and values out of a grid. \throw BadInput also for unsuitable arrays.
+RawField take_field(vtkUnstructuredGrid& grid, const ReadOptions& options);
+
+/// Sets the tensors to the gradient of `raw.vectors` by VTK's gradient filter on the cells that
+/// were taken. Points with equal coordinates and vectors are one for that purpose if `join`, and in
+/// pieces, where cells count once. \throw BadInput where there is no gradient.
+void take_gradients(vtkUnstructuredGrid& grid, RawField& raw, bool join);
 
 }  // namespace triplex::detail

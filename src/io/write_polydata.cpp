@@ -9,6 +9,7 @@
 #include <vtkTypeInt64Array.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "vtk_output.hpp"
@@ -33,19 +34,23 @@ vtkSmartPointer<vtkCellArray> to_vtk_cells(const std::vector<std::array<std::uin
   return result;
 }
 
-void check_sizes(const FeatureMesh& mesh) {
+}  // namespace
+
+void check_arrays(const FeatureMesh& mesh, std::span<const PointValues> extra) {
   const std::size_t points = mesh.points.size();
   const std::size_t cells = mesh.segments.size() + mesh.triangles.size();
   if (mesh.p.size() != points || mesh.q.size() != points || mesh.mode.size() != points ||
-      mesh.source_cell.size() != cells || mesh.certified.size() != cells) {
-    throw std::invalid_argument("write_polydata: the arrays of the mesh differ in length");
+      mesh.source_cell.size() != cells || mesh.certified.size() != cells ||
+      std::ranges::any_of(extra, [points](const PointValues& array) {
+        return array.values.size() != points * static_cast<std::size_t>(array.components);
+      })) {
+    throw std::invalid_argument("the arrays of the mesh differ in length");
   }
 }
 
-}  // namespace
-
-void write_polydata(const std::filesystem::path& file, const FeatureMesh& mesh, Feature feature) {
-  check_sizes(mesh);
+void write_polydata(const std::filesystem::path& file, const FeatureMesh& mesh, Feature feature,
+                    std::span<const PointValues> extra) {
+  check_arrays(mesh, extra);
   const auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(detail::to_vtk_points(mesh.points));
   data->SetLines(to_vtk_cells(mesh.segments));
@@ -56,6 +61,9 @@ void write_polydata(const std::filesystem::path& file, const FeatureMesh& mesh, 
   add_point_array("mode", mesh.mode);
   add_point_array("p", mesh.p);
   add_point_array("q", mesh.q);
+  for (const PointValues& array : extra)
+    data->GetPointData()->AddArray(detail::to_vtk_array(array.name, array.values.data(),
+                                                        mesh.points.size(), array.components));
   const std::vector<std::uint8_t> features(mesh.certified.size(),
                                            static_cast<std::uint8_t>(feature));
   vtkCellData& cells = *data->GetCellData();

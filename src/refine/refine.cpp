@@ -24,7 +24,12 @@ using StagesPerThread = tbb::enumerable_thread_specific<SignStages>;
 class Refinement {
  public:
   Refinement(const TensorField& input, const RefineOptions& options)
-      : options_(options), complex_(input), spent_(input.mesh.tets.size(), 0) {}
+      : options_(options),
+        level_sets_(options.features & options.table.level_sets()),
+        sweeps_((options.features & ~kStandardSet) == 0 &&
+                options.table.page_count() == kStandardPages),
+        complex_(input),
+        spent_(input.mesh.tets.size(), 0) {}
 
   RefinedComplex run() {
     place_input_tets();
@@ -74,15 +79,23 @@ class Refinement {
   void label_vertices() {
     const std::size_t first = complex_.sectors.size();
     const std::size_t count = complex_.field.vertex_count();
-    complex_.sectors.resize(count, kOpenSector);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(first, count, kGrain),
-                      [&](const auto& range) {
-                        SignStages& stages = stages_.local();
-                        for (std::size_t v = range.begin(); v < range.end(); ++v) {
-                          const auto sector = sector_at(complex_.field, VertexId(v), stages);
-                          if (sector) complex_.sectors[v] = static_cast<std::uint8_t>(*sector);
-                        }
-                      });
+    // Where no page is asked for, all vertices count as one sector.
+    const bool pages = options_.features != level_sets_;
+    complex_.sectors.resize(count, pages ? kOpenSector : 0);
+    if (level_sets_ != 0) complex_.sides.resize(count);
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(first, count, kGrain), [&](const auto& range) {
+          SignStages& stages = stages_.local();
+          for (std::size_t v = range.begin(); v < range.end(); ++v) {
+            const auto sector = pages
+                                    ? sector_at(complex_.field, VertexId(v), options_.table, stages)
+                                    : std::nullopt;
+            if (sector) complex_.sectors[v] = static_cast<std::uint8_t>(*sector);
+            if (level_sets_ != 0)
+              complex_.sides[v] =
+                  sides_at(complex_.field, VertexId(v), options_.table, level_sets_, stages);
+          }
+        });
   }
 
   /// Certifies the pending tets; returns the edges that open ones ask to bisect.
@@ -112,8 +125,9 @@ class Refinement {
     const std::size_t count = end - begin;
     for (std::size_t i = 0; i < count; ++i)
       cells[i] = complex_.leaves[pending_[begin + i]].vertices;
-    sweep_cells(complex_.field, std::span(cells).first(count), complex_.sectors, options_.features,
-                std::span(swept).first(count), stages);
+    if (sweeps_)
+      sweep_cells(complex_.field, std::span(cells).first(count), complex_.sectors,
+                  options_.features, std::span(swept).first(count), stages);
     for (std::size_t i = 0; i < count; ++i) {
       if (!swept[i].settled) {
         certify(begin + i, stages);
@@ -129,8 +143,13 @@ class Refinement {
 
   void certify(std::size_t n, SignStages& stages) {
     Leaf& leaf = complex_.leaves[pending_[n]];
-    const auto certificate =
-        certify_cell(complex_.field, leaf.vertices, complex_.sectors, options_.features, stages);
+    CellCertificate certificate;
+    if (const FeatureSet book = options_.features & ~level_sets_; book != 0)
+      certificate = certify_cell(complex_.field, leaf.vertices, complex_.sectors, options_.table,
+                                 book, stages);
+    if (level_sets_ != 0)
+      certify_level_sets(complex_.field, leaf.vertices, complex_.sides, options_.table, level_sets_,
+                         certificate, stages);
     leaf.graph = certificate.graph;
     leaf.open = certificate.open;
     leaf.has_spine_proof = certificate.has_spine_proof;
@@ -181,6 +200,8 @@ class Refinement {
   }
 
   const RefineOptions& options_;
+  const FeatureSet level_sets_;  // requested
+  const bool sweeps_;            // the sweep knows all that is requested
   RefinedComplex complex_;
   StagesPerThread stages_;
   std::vector<std::uint32_t> spent_;    // bisections asked for, per input tet

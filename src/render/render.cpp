@@ -29,10 +29,11 @@ vtkSmartPointer<vtkPolyData> read_mesh(const std::filesystem::path& file) {
   return reader->GetOutput();
 }
 
-std::vector<DrawnFeature> read_features(const std::filesystem::path& directory, FeatureSet wanted) {
+std::vector<DrawnFeature> read_features(const std::filesystem::path& directory,
+                                        const FeatureTable& table, FeatureSet wanted) {
   std::vector<DrawnFeature> drawn;
-  for (const FeatureRow& row : feature_table()) {
-    if ((wanted & bit(row.feature)) == 0) continue;
+  for (const FeatureRow& row : table.rows()) {
+    if (!contains(wanted, row.feature)) continue;
     auto mesh = read_mesh(directory / (std::string(row.name) + ".vtp"));
     if (mesh->GetNumberOfCells() > 0) drawn.push_back({&row, std::move(mesh)});
   }
@@ -68,7 +69,7 @@ std::optional<CameraPreset> camera_named(std::string_view name) {
 void render_features(const std::filesystem::path& directory, const std::filesystem::path& picture,
                      const RenderOptions& options) {
   vtkObject::GlobalWarningDisplayOff();  // what goes wrong is thrown
-  const std::vector<DrawnFeature> features = read_features(directory, options.features);
+  const std::vector<DrawnFeature> features = read_features(directory, options.table, options.features);
   require_display();
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);

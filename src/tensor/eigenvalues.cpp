@@ -11,8 +11,6 @@
 namespace triplex {
 namespace {
 
-constexpr double kRelativeError = 0x1p-45;  // the best that `invariants` offers
-
 // The equation l^3 + p l = q of |q| (the sign is put back at the end), scaled by a power of two so
 // that the larger of |p|^(1/2) and |q|^(1/3) is of size one, with D = -4 p^3 - 27 q^2.
 struct Cubic {
@@ -90,24 +88,28 @@ ComplexRoots complex_roots(const Cubic& c, Sign sign_p) {
 }  // namespace
 
 Eigenvalues deviator_eigenvalues(const Tensor<double>& t) {
-  const Invariants i = invariants(t, kRelativeError);
+  return deviator_eigenvalues(invariants(t, kEigenvalueAccuracy));
+}
+
+Eigenvalues deviator_eigenvalues(const Invariants& i, int shift) {
   Eigenvalues e;
   e.all_real = i.sign_discriminant != Sign::Negative;
   if (i.sign_p == Sign::Zero && i.sign_q == Sign::Zero) return e;
   const Cubic cubic(i);
+  const int exponent = cubic.exponent + shift;
   const bool negative = i.sign_q == Sign::Negative;
   if (e.all_real && i.sign_q == Sign::Zero) {  // l^3 + p l = 0
-    const double root = std::ldexp(std::sqrt(3 * cubic.third_of_p), cubic.exponent);
+    const double root = std::ldexp(std::sqrt(3 * cubic.third_of_p), exponent);
     e.real = {root, 0, -root};
   } else if (e.all_real) {
     e.real = real_roots(cubic, i.sign_discriminant == Sign::Zero);
     if (negative) e.real = {-e.real[2], -e.real[1], -e.real[0]};
-    for (double& x : e.real) x = std::ldexp(x, cubic.exponent);
+    for (double& x : e.real) x = std::ldexp(x, exponent);
   } else {
     const ComplexRoots roots = complex_roots(cubic, i.sign_p);
-    e.real[0] = std::ldexp(negative ? -roots.real : roots.real, cubic.exponent);
+    e.real[0] = std::ldexp(negative ? -roots.real : roots.real, exponent);
     e.re = -e.real[0] / 2;
-    e.im = std::ldexp(roots.im, cubic.exponent);
+    e.im = std::ldexp(roots.im, exponent);
   }
   return e;
 }

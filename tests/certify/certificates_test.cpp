@@ -62,22 +62,33 @@ class RandomTet {
   TensorField field_;
 };
 
-double sheet_value(Sheet sheet, const Sample& s) {
-  const double v = std::sqrt(std::fmax(0, -s.p) / 6);
-  switch (sheet) {
-    case Sheet::Balanced:
-      return s.p;
-    case Sheet::Neutral:
-      return s.q;
-    case Sheet::DegenerateLinear:
-      return s.q - 12 * v * v * v;
-    case Sheet::DegeneratePlanar:
-      return s.q + 12 * v * v * v;
-  }
-  return 0;
+/// The standard table and mode pages of every quadrant.
+const FeatureTable& tested_table() {
+  static const FeatureTable table = [] {
+    FeatureTable t;
+    t.add_mode({1, 2}, Sign::Negative, Sign::Positive);
+    t.add_mode({5, 2}, Sign::Negative, Sign::Positive);
+    t.add_mode({7, 10}, Sign::Negative, Sign::Negative);
+    t.add_mode({2, 3}, Sign::Positive, Sign::Positive);
+    t.add_mode({3, 1}, Sign::Positive, Sign::Negative);
+    return t;
+  }();
+  return table;
+}
+bool is_curved(const Sheet& sheet) { return sheet.kind == Sheet::Kind::Curved; }
+
+/// The function of a sheet, in the units of Q for a curved one.
+double sheet_value(const Sheet& sheet, const Sample& s) {
+  if (sheet.kind == Sheet::Kind::Balanced) return s.p;
+  if (sheet.kind == Sheet::Kind::Neutral) return s.q;
+  const double v = std::sqrt(std::fmax(0, -sheet.map.p_factor * s.p) / 6);
+  return s.q - static_cast<int>(sheet.sign_q) * 12 * v * v * v / sheet.map.q_factor;
 }
 int blurred_sign(double x) { return x > kBlur ? 1 : x < -kBlur ? -1 : 0; }
-double minus_d(const Sample& s) { return 2 * s.p * s.p * s.p + 3 * s.q * s.q; }
+double minus_d(const Sample& s, const ModeMap& map) {
+  const double p = map.p_factor * s.p, q = map.q_factor * s.q;
+  return (2 * p * p * p + 3 * q * q) / (map.q_factor * map.q_factor);
+}
 
 constexpr int kSteps = 8;
 /// All barycentric points with denominator kSteps: 165 on a tet.
@@ -120,11 +131,14 @@ class CertificateTest : public testing::Test {
 
 TEST_F(CertificateTest, UniformSignsHoldOnTheLattice) {
   Counts counts;
+  const int kCurvedSheets = static_cast<int>(tested_table().sheets().size()) - kFlatSheets;
+  int tets = 0;
   for_random_tets([&](const RefinableField& field, const std::array<VertexId, 4>& v) {
     const Simplex<4> simplex(field, v);
     const int p = static_cast<int>(uniform_sign_of_p(simplex, stages_));
     const int q = static_cast<int>(uniform_sign_of_q(simplex, stages_));
-    const int d = static_cast<int>(uniform_sign_of_discriminant(simplex, stages_));
+    const Sheet& sheet = tested_table().sheets()[kFlatSheets + ++tets % kCurvedSheets];
+    const int d = static_cast<int>(uniform_sign_of_discriminant(simplex, sheet.map, stages_));
     counts.p += p != 0;
     counts.q += q != 0;
     counts.discriminant += d != 0;
@@ -137,7 +151,7 @@ TEST_F(CertificateTest, UniformSignsHoldOnTheLattice) {
         EXPECT_NE(blurred_sign(s.q), -q);
       }
       if (d != 0) {
-        EXPECT_NE(blurred_sign(-minus_d(s)), -d);
+        EXPECT_NE(blurred_sign(-minus_d(s, sheet.map)), -d);
       }
     });
   });
@@ -146,20 +160,21 @@ TEST_F(CertificateTest, UniformSignsHoldOnTheLattice) {
   EXPECT_GT(counts.discriminant, kTets / 8);
 }
 
-/// Without the page, no two samples of the quadrant p < 0, s q > 0 lie on its two sides with a
+/// Without the page, no two samples of its quadrant lie on its two sides with a
 /// straight path between them inside the quadrant; neighbours in the lattice are such pairs where
 /// it is fine.
-TEST_F(CertificateTest, ExcludedDegeneratePagesSeparateNoNeighbours) {
+TEST_F(CertificateTest, ExcludedPagesSeparateNoNeighbours) {
   Counts counts;
   for_random_tets([&](const RefinableField& field, const std::array<VertexId, 4>& v) {
     const Simplex<4> simplex(field, v);
-    for (const Sign s : {Sign::Positive, Sign::Negative}) {
-      if (!excludes_degenerate_page(simplex, s, stages_)) continue;
+    for (const Sheet& sheet : tested_table().sheets()) {
+      if (!is_curved(sheet) || !excludes_page(simplex, sheet, stages_)) continue;
       ++counts.degenerate;
       const auto side = [&](const std::array<double, 4>& w) {
         const Sample x = RandomTet::at(field, v, w);
-        const bool quadrant = x.p < -kBlur && x.q * static_cast<int>(s) > kBlur;
-        return quadrant ? blurred_sign(minus_d(x)) : 0;
+        const bool quadrant = x.p * static_cast<int>(sheet.sign_p) > kBlur &&
+                              x.q * static_cast<int>(sheet.sign_q) > kBlur;
+        return quadrant ? blurred_sign(minus_d(x, sheet.map)) : 0;
       };
       for_lattice([&](const std::array<int, 4>& n) {
         for (int i = 0; i < 4; ++i)
@@ -237,7 +252,7 @@ TEST_F(CertificateTest, InjectiveFacesWindAtMostOnceAsTheRotationsSay) {
   for_random_tets([&](const RefinableField& field, const std::array<VertexId, 4>& v) {
     const Simplex<4> simplex(field, v);
     std::array<std::optional<Sector>, 4> sectors;
-    for (int i = 0; i < 4; ++i) sectors[i] = sector_at(field, v[i], stages_);
+    for (int i = 0; i < 4; ++i) sectors[i] = sector_at(field, v[i], tested_table(), stages_);
     for (const auto& loop : kFaceLoops) {
       const Simplex<3> face(simplex, {loop[0], loop[1], loop[2]});
       bool edges_certified = true;
@@ -245,13 +260,14 @@ TEST_F(CertificateTest, InjectiveFacesWindAtMostOnceAsTheRotationsSay) {
       for (int e = 0; e < 3; ++e) {
         const int a = loop[e], b = loop[e + 1];
         const Simplex<2> edge(simplex, {a, b});
-        for (const Sheet sheet : {Sheet::Balanced, Sheet::Neutral})
-          edges_certified &= certifies_one_root(edge, sheet, stages_);
-        rotations += *rotation_along(field, v[a], v[b], *sectors[a], *sectors[b], stages_);
+        for (const int flat : {kBalancedSheet, kNeutralSheet})
+          edges_certified &= certifies_one_root(edge, tested_table().sheets()[flat], stages_);
+        rotations += *rotation_along(field, v[a], v[b], *sectors[a], *sectors[b], tested_table(),
+                                     stages_);
       }
       const int winding = static_cast<int>(std::lround(winding_angle(along(field, v, loop))));
       if (edges_certified) {
-        EXPECT_EQ(rotations, kPages * winding);
+        EXPECT_EQ(rotations, tested_table().page_count() * winding);
       }
       if (!certifies_injective(face, stages_)) continue;
       ++counts.injective;
@@ -263,7 +279,7 @@ TEST_F(CertificateTest, InjectiveFacesWindAtMostOnceAsTheRotationsSay) {
   EXPECT_GT(with_point, kTets / 100);
 }
 
-int sign_changes(const std::vector<Sample>& samples, Sheet sheet) {
+int sign_changes(const std::vector<Sample>& samples, const Sheet& sheet) {
   int changes = 0, last = 0;
   for (const Sample& s : samples) {
     const int now = blurred_sign(sheet_value(sheet, s));
@@ -282,8 +298,7 @@ TEST_F(CertificateTest, CertifiedEdgesHaveAtMostOneRoot) {
     for (const auto& path : kEdgePaths) {
       const Simplex<2> edge(simplex, {path[0], path[1]});
       const auto samples = along(field, v, path);
-      for (int s = 0; s < kSheets; ++s) {
-        const Sheet sheet = static_cast<Sheet>(s);
+      for (const Sheet& sheet : tested_table().sheets()) {
         const int changes = sign_changes(samples, sheet);
         const bool graph = certifies_graph(edge, sheet, stages_);
         counts.graph += graph;
@@ -293,12 +308,12 @@ TEST_F(CertificateTest, CertifiedEdgesHaveAtMostOneRoot) {
         uncertified_with_more += !graph && changes > 1;
         if (!certifies_one_root(edge, sheet, stages_)) continue;
         ++counts.one_root;
-        if (sheet == Sheet::Balanced || sheet == Sheet::Neutral) {
+        if (!is_curved(sheet)) {
           EXPECT_LE(changes, 1);
         } else {
           int d_changes = 0, last = 0;
           for (const Sample& x : samples) {
-            const int now = blurred_sign(minus_d(x));
+            const int now = blurred_sign(minus_d(x, sheet.map));
             if (now != 0 && last != 0) d_changes += now != last;
             if (now != 0) last = now;
           }
@@ -317,8 +332,7 @@ TEST_F(CertificateTest, GraphSheetsHideNoClosedComponents) {
   Counts counts;
   for_random_tets([&](const RefinableField& field, const std::array<VertexId, 4>& v) {
     const Simplex<4> simplex(field, v);
-    for (int s = 0; s < kSheets; ++s) {
-      const Sheet sheet = static_cast<Sheet>(s);
+    for (const Sheet& sheet : tested_table().sheets()) {
       const bool graph = certifies_graph(simplex, sheet, stages_);
       counts.graph += graph;
       std::array<bool, 3> boundary{}, inside{};
@@ -351,9 +365,10 @@ TEST(HiddenSphere, IsNeitherExcludedNorCertified) {
   SignStages stages;
   EXPECT_LT(RandomTet::at(refinable, v, {0.25, 0.25, 0.25, 0.25}).p, 0);
   for (int i = 0; i < 4; ++i)
-    EXPECT_EQ(sign_p(*sector_at(refinable, v[i], stages)), Sign::Positive);
+    EXPECT_EQ(tested_table().sign_p(*sector_at(refinable, v[i], tested_table(), stages)),
+              Sign::Positive);
   EXPECT_EQ(uniform_sign_of_p(simplex, stages), Sign::Zero);
-  EXPECT_FALSE(certifies_graph(simplex, Sheet::Balanced, stages));
+  EXPECT_FALSE(certifies_graph(simplex, tested_table().sheets()[kBalancedSheet], stages));
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ bool check_rotation(const RefinableField& field, int n, Sector sa, Sector sb, co
   SignStages ignored;
   const auto crossed = quadrants_crossed(edge);
   const auto rotation = rotation_along(field, static_cast<VertexId>(n),
-                                       static_cast<VertexId>(n + 1), sa, sb, ignored);
+                                       static_cast<VertexId>(n + 1), sa, sb, standard_features(), ignored);
   if (!crossed || !rotation) return true;
   ++outcome.rotations;
   const int turns = (*crossed - (quadrant(sb) - quadrant(sa))) / 4;
@@ -143,10 +143,10 @@ Outcome check(int wanted, unsigned bits, bool rotations, const Draw& draw) {
     const RefinableField refinable(field);
     for (int n = 0; n + 1 < kBatch && outcome.edges < wanted; ++n) {
       SignStages ignored;
-      const auto sa = sector_at(refinable, static_cast<VertexId>(n), ignored);
-      const auto sb = sector_at(refinable, static_cast<VertexId>(n + 1), ignored);
+      const auto sa = sector_at(refinable, static_cast<VertexId>(n), standard_features(), ignored);
+      const auto sb = sector_at(refinable, static_cast<VertexId>(n + 1), standard_features(), ignored);
       if (!sa || !sb) continue;
-      const bool opposite = sign_p(*sa) != sign_p(*sb);
+      const bool opposite = standard_features().sign_p(*sa) != standard_features().sign_p(*sb);
       if (!opposite && !rotations) continue;
       const Edge edge = exact_edge(tensors[n], tensors[n + 1], bits);
       if (opposite && !check_side(refinable, tensors, n, edge, outcome)) {

@@ -23,7 +23,7 @@ struct Prepared {
   explicit Prepared(TensorField input) : source(std::move(input)), field(source) {
     SignStages stages;
     for (std::size_t v = 0; v < field.vertex_count(); ++v) {
-      const auto sector = sector_at(field, VertexId(v), stages);
+      const auto sector = sector_at(field, VertexId(v), standard_features(), stages);
       sectors.push_back(sector ? static_cast<std::uint8_t>(*sector) : kOpenSector);
     }
     for (Cell cell : field.input_tets()) {
@@ -64,7 +64,8 @@ std::size_t expect_same_as_one_by_one(const Prepared& p, FeatureSet requested) {
   for (std::size_t n = 0; n < p.cells.size(); ++n) {
     if (!swept[n].settled) continue;
     ++settled;
-    const auto one = certify_cell(p.field, p.cells[n], p.sectors, requested, not_compared);
+    const auto one =
+        certify_cell(p.field, p.cells[n], p.sectors, standard_features(), requested, not_compared);
     EXPECT_EQ(one.excluded, requested & ~swept[n].graph) << "tet " << n;
     EXPECT_EQ(one.graph | one.open, swept[n].graph) << "tet " << n;
     EXPECT_FALSE(one.has_spine_proof) << "tet " << n;
@@ -86,26 +87,26 @@ TEST(Sweep, agrees_with_the_certificates_one_by_one) {
     SCOPED_TRACE(name);
     const Prepared p(generated(name, n, jitter));
     for (const FeatureSet requested :
-         {kAllFeatures, bit(Feature::NeutralReal), bit(Feature::DegenerateLinear),
+         {kStandardSet, bit(Feature::NeutralReal), bit(Feature::DegenerateLinear),
           FeatureSet(bit(Feature::BalancedPlanar) | bit(Feature::TripleCurve))})
       EXPECT_GT(expect_same_as_one_by_one(p, requested), p.cells.size() / 4);
   }
 }
 
 TEST(Sweep, agrees_on_noise) {
-  expect_same_as_one_by_one(Prepared(generated("noise", 8, 0.1)), kAllFeatures);
+  expect_same_as_one_by_one(Prepared(generated("noise", 8, 0.1)), kStandardSet);
 }
 
 TEST(Sweep, instructions_and_neighbours_do_not_matter) {
   const Prepared p(generated("abc", 11, 0.1));
   SignStages stages;
-  const auto expected = p.sweep(kAllFeatures, 1, Instructions::Baseline, stages);
+  const auto expected = p.sweep(kStandardSet, 1, Instructions::Baseline, stages);
   for (const Instructions instructions :
        {Instructions::Baseline, Instructions::Avx2, Instructions::Avx512}) {
     if (!available(instructions)) continue;
     for (const std::size_t block : {std::size_t{1}, std::size_t{7}, kSweepBlock}) {
       SignStages counted;
-      const auto found = p.sweep(kAllFeatures, block, instructions, counted);
+      const auto found = p.sweep(kStandardSet, block, instructions, counted);
       EXPECT_EQ(counted, stages);
       for (std::size_t n = 0; n < found.size(); ++n) {
         EXPECT_EQ(found[n].settled, expected[n].settled) << "tet " << n;
@@ -122,7 +123,7 @@ TEST(Sweep, leaves_tets_without_a_usable_filter) {
     for (double& x : field.tensors[v]) x = std::ldexp(x, -200);
   const Prepared p(std::move(field));  // the last vertex keeps its size and sets the scale
   SignStages stages;
-  const auto swept = p.sweep(kAllFeatures, kSweepBlock, best_instructions(), stages);
+  const auto swept = p.sweep(kStandardSet, kSweepBlock, best_instructions(), stages);
   const auto last = VertexId(p.field.vertex_count() - 1);
   for (std::size_t n = 0; n < swept.size(); ++n)
     EXPECT_FALSE(p.cells[n][3] != last && swept[n].settled) << "tet " << n;
@@ -133,7 +134,7 @@ TEST(Sweep, leaves_zero_tensors) {
   for (auto& t : field.tensors) t.fill(0);
   const Prepared p(std::move(field));
   SignStages stages;
-  for (const SweptCell& cell : p.sweep(kAllFeatures, kSweepBlock, best_instructions(), stages))
+  for (const SweptCell& cell : p.sweep(kStandardSet, kSweepBlock, best_instructions(), stages))
     EXPECT_FALSE(cell.settled);
 }
 
@@ -141,7 +142,7 @@ TEST(Sweep, leaves_zero_tensors) {
 TEST(Sweep, settled_tets_hold_nothing_that_is_excluded) {
   const Prepared p(generated("rayleigh-benard", 8, 0.2));
   SignStages stages;
-  const auto swept = p.sweep(kAllFeatures, kSweepBlock, best_instructions(), stages);
+  const auto swept = p.sweep(kStandardSet, kSweepBlock, best_instructions(), stages);
   std::mt19937_64 random(7);
   std::exponential_distribution<double> exponential;
   for (std::size_t n = 0; n < p.cells.size(); ++n) {
@@ -157,9 +158,10 @@ TEST(Sweep, settled_tets_hold_nothing_that_is_excluded) {
       const auto f = forms_of<double, 1>({a});
       const double P = f.p[0], Q = f.q[0], minus_d = 2 * P * P * P + 3 * Q * Q;
       constexpr double kBlur = 1e-12;
-      EXPECT_GT(P * static_cast<int>(sign_p(sector)), -kBlur);
-      EXPECT_GT(Q * static_cast<int>(sign_q(sector)), -kBlur);
-      const bool real = sector == Sector::RealLinear || sector == Sector::RealPlanar;
+      EXPECT_GT(P * static_cast<int>(standard_features().sign_p(sector)), -kBlur);
+      EXPECT_GT(Q * static_cast<int>(standard_features().sign_q(sector)), -kBlur);
+      const Domain domain = standard_features().domain(sector);
+      const bool real = domain == Domain::RealLinear || domain == Domain::RealPlanar;
       EXPECT_LT(real ? minus_d : -minus_d, kBlur);
     }
   }

@@ -20,10 +20,10 @@ constexpr int kRange = 1 << 14;  // |a| < 2^17, |D| < 2^114
 
 Sector sector_of_signs(Sign p, Sign q, Sign d) {
   if (p == Sign::Positive) {
-    return q == Sign::Positive ? Sector::InnerComplexLinear : Sector::InnerComplexPlanar;
+    return q == Sign::Positive ? static_cast<Sector>(Domain::InnerComplexLinear) : static_cast<Sector>(Domain::InnerComplexPlanar);
   }
-  if (d == Sign::Positive) return q == Sign::Positive ? Sector::RealLinear : Sector::RealPlanar;
-  return q == Sign::Positive ? Sector::OuterComplexLinear : Sector::OuterComplexPlanar;
+  if (d == Sign::Positive) return q == Sign::Positive ? static_cast<Sector>(Domain::RealLinear) : static_cast<Sector>(Domain::RealPlanar);
+  return q == Sign::Positive ? static_cast<Sector>(Domain::OuterComplexLinear) : static_cast<Sector>(Domain::OuterComplexPlanar);
 }
 
 template <class NT>
@@ -57,13 +57,13 @@ SignStages check(int batches, int batch, const Draw& draw) {
     for (int n = 0; n < batch; ++n) {
       const Tensor<double>& t = tensors[n];
       SignStages stages;
-      const auto actual = sector_at(refinable, VertexId(n), stages);
+      const auto actual = sector_at(refinable, VertexId(n), standard_features(), stages);
       if (!actual) {
         ADD_FAILURE() << "left open";
         return total;
       }
       auto s = unperturbed_signs(t);
-      const unsigned exact_zeros = zeros(s, sign_p(*actual) == Sign::Negative);
+      const unsigned exact_zeros = zeros(s, standard_features().sign_p(*actual) == Sign::Negative);
       if (s[0] == Sign::Zero || s[1] == Sign::Zero || s[2] == Sign::Zero) {
         s = signs(oracle::perturbed(t, 200));
       }

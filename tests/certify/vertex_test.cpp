@@ -22,7 +22,7 @@ Answer sector_of(const Tensor<double>& t) {
   const TensorField field = oracle::scattered_field({t});
   const RefinableField refinable(field);
   Answer a;
-  a.sector = sector_at(refinable, VertexId{0}, a.stages);
+  a.sector = sector_at(refinable, VertexId{0}, standard_features(), a.stages);
   return a;
 }
 
@@ -35,16 +35,16 @@ Sector expected(const Tensor<double>& t, unsigned bits) {
   const auto i = oracle::rational_invariants(r);
   const int p = sgn(i.p), q = sgn(i.q), d = sgn(i.d);
   EXPECT_TRUE(p != 0 && q != 0 && d != 0);
-  if (p > 0) return q > 0 ? Sector::InnerComplexLinear : Sector::InnerComplexPlanar;
-  if (d > 0) return q > 0 ? Sector::RealLinear : Sector::RealPlanar;
-  return q > 0 ? Sector::OuterComplexLinear : Sector::OuterComplexPlanar;
+  if (p > 0) return q > 0 ? static_cast<Sector>(Domain::InnerComplexLinear) : static_cast<Sector>(Domain::InnerComplexPlanar);
+  if (d > 0) return q > 0 ? static_cast<Sector>(Domain::RealLinear) : static_cast<Sector>(Domain::RealPlanar);
+  return q > 0 ? static_cast<Sector>(Domain::OuterComplexLinear) : static_cast<Sector>(Domain::OuterComplexPlanar);
 }
 
 TEST(VertexSector, NumbersAndSigns) {
   for (int k = 0; k < 6; ++k) {
     const auto s = static_cast<Sector>(k);
-    EXPECT_EQ(sign_p(s), k == 0 || k == 5 ? Sign::Positive : Sign::Negative);
-    EXPECT_EQ(sign_q(s), k < 3 ? Sign::Positive : Sign::Negative);
+    EXPECT_EQ(standard_features().sign_p(s), k == 0 || k == 5 ? Sign::Positive : Sign::Negative);
+    EXPECT_EQ(standard_features().sign_q(s), k < 3 ? Sign::Positive : Sign::Negative);
   }
 }
 
@@ -55,7 +55,7 @@ TEST(VertexSector, GenericTensorsAreDecidedByTheFilter) {
     const Answer a = sector_of(t);
     ASSERT_EQ(a.sector, expected(t, 1000));
     ASSERT_EQ(a.stages.exact, 0u);
-    ASSERT_GE(a.stages.filter + a.stages.interval, sign_p(*a.sector) == Sign::Negative ? 3u : 2u);
+    ASSERT_GE(a.stages.filter + a.stages.interval, standard_features().sign_p(*a.sector) == Sign::Negative ? 3u : 2u);
   }
 }
 
@@ -66,7 +66,7 @@ TEST(VertexSector, ExactZerosAreDecidedByTheExactStage) {
     const Answer a = sector_of(t);
     ASSERT_EQ(a.sector, expected(t, 200));
     const auto i = oracle::rational_invariants(t);
-    const bool asks_d = a.sector && sign_p(*a.sector) == Sign::Negative;
+    const bool asks_d = a.sector && standard_features().sign_p(*a.sector) == Sign::Negative;
     const unsigned zeros =
         (i.p == 0 ? 1u : 0u) + (i.q == 0 ? 1u : 0u) + (asks_d && i.d == 0 ? 1u : 0u);
     ASSERT_GE(a.stages.exact, zeros);
@@ -102,7 +102,7 @@ TEST(VertexSector, TinyTensorInALargeField) {
         oracle::scattered_field({oracle::scaled(oracle::double_tensor(random), n % 3 * 500), tiny});
     const RefinableField refinable(field);
     SignStages stages;
-    EXPECT_EQ(sector_at(refinable, VertexId{1}, stages), expected(tiny, 20000));
+    EXPECT_EQ(sector_at(refinable, VertexId{1}, standard_features(), stages), expected(tiny, 20000));
   }
 }
 
@@ -140,12 +140,12 @@ TEST(VertexSector, Midpoints) {
     }
     const auto i = oracle::rational_invariants(exact);
     SignStages stages;
-    const auto s = sector_at(refinable, *quarter, stages);
+    const auto s = sector_at(refinable, *quarter, standard_features(), stages);
     ASSERT_TRUE(s);
-    EXPECT_EQ(sign_p(*s), oracle::sign_of(i.p));
-    EXPECT_EQ(sign_q(*s), oracle::sign_of(i.q));
+    EXPECT_EQ(standard_features().sign_p(*s), oracle::sign_of(i.p));
+    EXPECT_EQ(standard_features().sign_q(*s), oracle::sign_of(i.q));
     if (sgn(i.p) < 0) {
-      EXPECT_EQ(*s == Sector::RealLinear || *s == Sector::RealPlanar, sgn(i.d) > 0);
+      EXPECT_EQ(*s == static_cast<Sector>(Domain::RealLinear) || *s == static_cast<Sector>(Domain::RealPlanar), sgn(i.d) > 0);
     }
   }
 }

@@ -75,12 +75,13 @@ TEST(Variation, ChoosesAnEdgeAlongWhichTheFieldChanges) {
   field.tensors = {base, base, base, {0, 5, 1, 2, -3, 1, 4, 0, 7}};
   const RefinableField refinable(field);
   const Simplex<4> tet(refinable, {VertexId(0), VertexId(1), VertexId(2), VertexId(3)});
-  for (const Measures& m :
-       {Measures{.p = true}, Measures{.q = true}, Measures{.discriminant = true},
-        Measures{.p = true, .q = true, .discriminant = true}}) {
+  const std::array<ModeMap, 2> maps = {ModeMap{}, ModeMap{4, 2}};
+  for (const Measures& m : {Measures{.p = true}, Measures{.q = true},
+                            Measures{.discriminants = std::span(maps).first(1)},
+                            Measures{.p = true, .q = true, .discriminants = maps}}) {
     const EdgeChoice choice = edge_of_largest_variation(tet, m);
     EXPECT_EQ(choice.edge, (std::array{0, 3}));
-    EXPECT_EQ(choice.variation, double(m.p) + double(m.q) + double(m.discriminant));
+    EXPECT_EQ(choice.variation, double(m.p) + double(m.q) + double(m.discriminants.size()));
   }
 }
 

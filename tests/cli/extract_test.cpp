@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "run_program.hpp"
-#include "triplex/feature/feature.hpp"
+#include "triplex/feature/feature_table.hpp"
 
 namespace triplex::test {
 namespace {
@@ -67,14 +67,14 @@ TEST(Report, HasTheDocumentedKeys) {
                                    "refinement", "sign_stages", "features", "unresolved",
                                    "timing_s", "peak_memory_bytes"));
   EXPECT_THAT(keys(report["field"]),
-              UnorderedElementsAre("file", "tets", "vertices", "array", "bounds"));
+              UnorderedElementsAre("file", "tets", "vertices", "array", "bounds", "split"));
   EXPECT_THAT(keys(report["certificates"]),
               UnorderedElementsAre("exclusion", "graph", "spine", "unresolved"));
   EXPECT_THAT(keys(report["refinement"]), UnorderedElementsAre("rounds", "bisections", "tets"));
   EXPECT_THAT(keys(report["sign_stages"]), UnorderedElementsAre("filter", "interval", "exact"));
   EXPECT_THAT(keys(report["timing_s"]),
               UnorderedElementsAre("read", "refine", "extract", "topology", "write", "total"));
-  for (const FeatureRow& row : feature_table()) {
+  for (const FeatureRow& row : standard_features().rows()) {
     const json& feature = report["features"][std::string(row.name)];
     if (row.feature == Feature::TripleCurve) {
       EXPECT_THAT(keys(feature),
@@ -113,7 +113,7 @@ TEST(Report, SaysWhatWasRead) {
 TEST(Meshes, HaveTheArraysAndTheCountsOfTheReport) {
   const TemporaryDirectory directory;
   const json report = extract(make_field(directory, "lorenz", 8), directory / "out");
-  for (const FeatureRow& row : feature_table()) {
+  for (const FeatureRow& row : standard_features().rows()) {
     const auto mesh = read_mesh(mesh_file(directory / "out", row));
     const json& numbers = report["features"][std::string(row.name)];
     const bool curve = row.feature == Feature::TripleCurve;
@@ -148,12 +148,12 @@ TEST(Meshes, OfEmptyFeaturesAreWrittenToo) {
             0);
   const json report = extract(field, out);
   EXPECT_EQ(report["features"]["triple-curve"]["segments"], 0);
-  for (const FeatureRow& row : feature_table()) {
+  for (const FeatureRow& row : standard_features().rows()) {
     const auto mesh = read_mesh(mesh_file(out, row));
     EXPECT_TRUE(mesh->GetPointData()->HasArray("mode")) << row.name;
     EXPECT_TRUE(mesh->GetCellData()->HasArray("Certified")) << row.name;
   }
-  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), kFeatures + 1);
+  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), kStandardFeatures + 2);
 }
 
 TEST(Meshes, DoNotDependOnTheNumberOfThreads) {
@@ -161,7 +161,7 @@ TEST(Meshes, DoNotDependOnTheNumberOfThreads) {
   const std::string field = make_field(directory, "abc", 10);
   extract(field, directory / "one", {"--threads", "1"});
   extract(field, directory / "two", {"--threads", "2"});
-  for (const FeatureRow& row : feature_table()) {
+  for (const FeatureRow& row : standard_features().rows()) {
     EXPECT_TRUE(file_content(mesh_file(directory / "one", row)) ==
                 file_content(mesh_file(directory / "two", row)))
         << row.name;
@@ -175,7 +175,7 @@ TEST(Features, OnlyThoseAskedForAreReported) {
   const json report = extract(field, out, {"--features", "balanced-linear,neutral-real"});
   EXPECT_THAT(keys(report["features"]), UnorderedElementsAre("balanced-linear", "neutral-real"));
   EXPECT_THAT(report["options"]["features"], ElementsAre("neutral-real", "balanced-linear"));
-  for (const FeatureRow& row : feature_table()) {
+  for (const FeatureRow& row : standard_features().rows()) {
     const bool asked = report["features"].contains(std::string(row.name));
     EXPECT_EQ(read_mesh(mesh_file(out, row))->GetNumberOfCells() > 0, asked) << row.name;
   }
@@ -191,7 +191,7 @@ TEST(Directory, MayHoldAnOldResultAndMayBeNested) {
   extract(field, out);
   EXPECT_EQ(file_content(out / "notes.txt"), "mine");
   EXPECT_NE(file_content(out / "triple-curve.vtp"), "old");
-  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), kFeatures + 2);
+  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), kStandardFeatures + 3);
 }
 
 TEST(RealData, ConvectionIsExtracted) {

@@ -65,6 +65,41 @@ TEST(Generate, LorenzParametersChangeTheField) {
   EXPECT_EQ(info(file)["trace"], json::parse("[-12, -12]"));  // -sigma - 1 - beta
 }
 
+TEST(Generate, ConstantTakesItsTensor) {
+  const TemporaryDirectory directory;
+  const std::string file = (directory / "field.vtu").string();
+  const auto generate = [&](const std::string& value, const std::string& name = "constant") {
+    return run({"generate", name, "-n", "2", "--tensor-value", value, "-o", file});
+  };
+  const Outcome made = generate("-1,2,0,0,1e0,0,0,0,3.5");
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_EQ(info(file)["trace"], json::parse("[3.5, 3.5]"));
+  for (const char* value : {"1,2,3", "1,2,3,4,5,6,7,8,9,10", "1,2,3,4,5,6,7,8,x", "a",
+                            "1,2,3,4,5,6,7,8,", "1,2,3,4,5,6,7,8,9,", "1 2 3 4 5 6 7 8 9"}) {
+    const Outcome outcome = generate(value);
+    EXPECT_EQ(outcome.code, 1) << value;
+    EXPECT_THAT(outcome.err, HasSubstr("nine numbers")) << value;
+  }
+  EXPECT_THAT(generate("1,2,3,4,5,6,7,8,nan").err, HasSubstr("finite"));
+  EXPECT_THAT(generate("1,2,3,4,5,6,7,8,9", "abc").err, HasSubstr("for constant only"));
+}
+
+TEST(Generate, EveryGridGeneratorTakesBothSplits) {
+  const TemporaryDirectory directory;
+  const std::string file = (directory / "field.vtu").string();
+  for (const GeneratorRow& row : generator_table()) {
+    for (const int split : {5, 6}) {
+      ASSERT_EQ(run({"generate", std::string(row.name), "-n", "2", "--split", std::to_string(split),
+                     "-o", file})
+                    .code,
+                0)
+          << row.name;
+      EXPECT_EQ(info(file)["tets"], split * 8) << row.name;
+    }
+  }
+  EXPECT_EQ(run({"generate", "noise", "--split", "4", "-o", file}).code, 1);
+}
+
 TEST(Info, CountsDomainsAndExactZeros) {
   const TemporaryDirectory directory;
   const json about = info(make_field(directory, "lorenz", 4));

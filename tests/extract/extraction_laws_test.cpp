@@ -43,7 +43,7 @@ TEST(ExtractionLaws, ThreadsDoNotChangeABit) {
   const Extraction one = extract(field, quick(1)), two = extract(field, quick(2));
   ASSERT_FALSE(mesh_of(one, Feature::DegenerateLinear).triangles.empty());
   ASSERT_FALSE(mesh_of(one, Feature::TripleCurve).segments.empty());
-  for (int f = 0; f < kFeatures; ++f) {
+  for (int f = 0; f < kStandardFeatures; ++f) {
     const FeatureMesh &a = one.features[f], &b = two.features[f];
     EXPECT_TRUE(same_bytes(a.points, b.points));
     EXPECT_TRUE(same_bytes(a.triangles, b.triangles));
@@ -60,8 +60,8 @@ TEST(ExtractionLaws, NumberingDoesNotMatter) {
   const TensorField field = sample_field();
   const Extraction a = extract(field, quick());
   const Extraction b = extract(test::relabelled(field, 20240229), quick());
-  for (int f = 0; f < kFeatures; ++f) {
-    EXPECT_TRUE(geometry(a.features[f]) == geometry(b.features[f])) << feature_table()[f].name;
+  for (int f = 0; f < kStandardFeatures; ++f) {
+    EXPECT_TRUE(geometry(a.features[f]) == geometry(b.features[f])) << standard_features().rows()[f].name;
   }
   EXPECT_EQ(a.unresolved.size(), b.unresolved.size());
   EXPECT_EQ(a.refinement.bisections, b.refinement.bisections);
@@ -76,7 +76,7 @@ TEST(ExtractionLaws, ScalingByPowersOfTwoChangesNothing) {
       return t;
     };
     const Extraction b = extract(test::mapped(field, scaled), quick());
-    for (int f = 0; f < kFeatures; ++f) {
+    for (int f = 0; f < kStandardFeatures; ++f) {
       EXPECT_TRUE(a.features[f].triangles == b.features[f].triangles) << "2^" << exponent;
       EXPECT_TRUE(a.features[f].certified == b.features[f].certified) << "2^" << exponent;
       EXPECT_TRUE(geometry(a.features[f]) == geometry(b.features[f])) << "2^" << exponent;
@@ -98,8 +98,8 @@ TEST(ExtractionLaws, NegationExchangesLinearAndPlanar) {
        {Feature::NeutralReal, Feature::NeutralReal},
        {Feature::NeutralComplex, Feature::NeutralComplex}}};
   for (const auto& [f, g] : pairs) {
-    EXPECT_TRUE(geometry(mesh_of(a, f)) == geometry(mesh_of(b, g))) << row(f).name;
-    EXPECT_TRUE(geometry(mesh_of(a, g)) == geometry(mesh_of(b, f))) << row(g).name;
+    EXPECT_TRUE(geometry(mesh_of(a, f)) == geometry(mesh_of(b, g))) << standard_features().row(f).name;
+    EXPECT_TRUE(geometry(mesh_of(a, g)) == geometry(mesh_of(b, f))) << standard_features().row(g).name;
   }
   EXPECT_EQ(a.unresolved.size(), b.unresolved.size());
 }
@@ -113,7 +113,7 @@ TEST(ExtractionLaws, TranspositionKeepsTheFeatures) {
   const TensorField field = generate_noise(grid);
   const Extraction a = extract(field, quick());
   const Extraction b = extract(test::mapped(field, test::transposed), quick());
-  for (int f = 0; f < kFeatures; ++f) {
+  for (int f = 0; f < kStandardFeatures; ++f) {
     EXPECT_EQ(a.features[f].triangles.size(), b.features[f].triangles.size());
     EXPECT_EQ(a.features[f].points.size(), b.features[f].points.size());
   }
@@ -126,11 +126,11 @@ TEST(ExtractionLaws, OneFeatureAloneIsTheSameSurfaceAsAmongAll) {
   grid.jitter = 0.1;
   const TensorField field = generate_lorenz(grid);
   const Extraction all = extract(field, {});
-  for (int f = 0; f < kFeatures; ++f) {
+  for (int f = 0; f < kStandardFeatures; ++f) {
     ExtractionOptions options;
     options.features = bit(static_cast<Feature>(f));
     const Extraction alone = extract(field, options);
-    for (int g = 0; g < kFeatures; ++g) EXPECT_EQ(alone.features[g].points.empty(), g != f);
+    for (int g = 0; g < kStandardFeatures; ++g) EXPECT_EQ(alone.features[g].points.empty(), g != f);
     const auto triangles = alone.features[f].triangles.size() + alone.features[f].segments.size();
     EXPECT_GT(triangles, 0u);
     // Fewer certificates need less refinement.
@@ -149,7 +149,7 @@ TEST(ExtractionLaws, TheHostsFloatingPointSettingsDoNotMatter) {
   EXPECT_EQ(_mm_getcsr() & 0xffc0u, (control | 0x8040u) & 0xffc0u);  // as the host left it
   _mm_setcsr(control);
   std::fesetround(FE_TONEAREST);
-  for (int f = 0; f < kFeatures; ++f) {
+  for (int f = 0; f < kStandardFeatures; ++f) {
     EXPECT_TRUE(same_bytes(a.features[f].points, b.features[f].points));
     EXPECT_TRUE(same_bytes(a.features[f].triangles, b.features[f].triangles));
   }

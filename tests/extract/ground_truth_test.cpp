@@ -57,8 +57,8 @@ TEST_P(LorenzTest, VerticesSatisfyTheClosedForms) {
 }
 
 TEST_P(LorenzTest, LabelsAreThoseOfTheClosedForms) {
-  for (int f = 0; f < kPages; ++f) {
-    const FeatureRow& r = feature_table()[f];
+  for (int f = 0; f < kStandardPages; ++f) {
+    const FeatureRow& r = standard_features().rows()[f];
     for (const Point& x : result_.features[f].points) {
       const double p = lorenz_p(x) / lorenz_p_size(x), q = lorenz_q(x) / lorenz_q_size(x);
       // Vertices on the spine have both zero to rounding; others have the page's signs.
@@ -143,7 +143,7 @@ TEST(SameFieldOnOtherMeshes, HasTheSameTopology) {
   constexpr std::uint64_t kFields = 60;
   int compared = 0;
   for (std::uint64_t seed = 1; seed <= kFields; ++seed) {
-    std::array<std::optional<Topology>, kFeatures> known;
+    std::array<std::optional<Topology>, kStandardFeatures> known;
     for (const MeshKind& kind : kinds) {
       GridOptions grid;
       grid.n = kind.n;
@@ -153,11 +153,11 @@ TEST(SameFieldOnOtherMeshes, HasTheSameTopology) {
       ExtractionOptions options;
       options.max_bisections = 48;
       const Extraction result = extract(generate_random_linear(grid), options);
-      for (int f = 0; f < kFeatures; ++f) {
+      for (int f = 0; f < kStandardFeatures; ++f) {
         if (!test::certified(result, static_cast<Feature>(f))) continue;
         const Topology t = topology_of(result.features[f]);
         if (known[f]) {
-          EXPECT_EQ(*known[f], t) << feature_table()[f].name << ", seed " << seed << ", n "
+          EXPECT_EQ(*known[f], t) << standard_features().rows()[f].name << ", seed " << seed << ", n "
                                   << kind.n;
           ++compared;
         }
@@ -173,10 +173,11 @@ TEST(SameFieldOnOtherMeshes, HasTheSameTopology) {
 /// another, has the topology that it has among all.
 TEST(SubsetsOfFeatures, AgreeWithAll) {
   std::vector<FeatureSet> subsets;
-  for (int f = 0; f < kFeatures; ++f) {
-    subsets.push_back(bit(f));
-    subsets.push_back(bit(f) | bit(Feature::TripleCurve));
-    subsets.push_back(bit(f) | bit((f + 2) % kPages));
+  for (int f = 0; f < kStandardFeatures; ++f) {
+    const FeatureSet one = bit(static_cast<Feature>(f));
+    subsets.push_back(one);
+    subsets.push_back(one | bit(Feature::TripleCurve));
+    subsets.push_back(one | bit(static_cast<Feature>((f + 2) % kStandardPages)));
   }
   int compared = 0;
   for (std::uint64_t seed = 101; seed < 121; ++seed) {
@@ -189,12 +190,12 @@ TEST(SubsetsOfFeatures, AgreeWithAll) {
       ExtractionOptions options;
       options.features = subset;
       const Extraction some = extract(field, options);
-      for (int f = 0; f < kFeatures; ++f) {
+      for (int f = 0; f < kStandardFeatures; ++f) {
         const auto feature = static_cast<Feature>(f);
-        if (!(subset & bit(f)) || !test::certified(all, feature)) continue;
+        if (!contains(subset, feature) || !test::certified(all, feature)) continue;
         if (!test::certified(some, feature)) continue;
         EXPECT_EQ(topology_of(all.features[f]), topology_of(some.features[f]))
-            << feature_table()[f].name << ", seed " << seed << ", subset " << int(subset);
+            << standard_features().rows()[f].name << ", seed " << seed << ", subset " << subset;
         ++compared;
       }
     }

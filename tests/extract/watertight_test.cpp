@@ -61,7 +61,7 @@ TEST_P(WatertightTest, PagesEndOnTheDomainAndOnTheSpineOnly) {
   };
   for (const auto& [a, b] : curve.segments) spine.insert(ends_of(curve.points[a], curve.points[b]));
 
-  for (int page = 0; page < kPages; ++page) {
+  for (int page = 0; page < kStandardPages; ++page) {
     const FeatureMesh& mesh = result.features[page];
     const SurfaceTopology topology = surface_topology(mesh.triangles, mesh.points.size());
     EXPECT_EQ(topology.nonmanifold_edges, 0u);
@@ -72,15 +72,15 @@ TEST_P(WatertightTest, PagesEndOnTheDomainAndOnTheSpineOnly) {
       if (spine.count(ends_of(x, y))) {
         ++on_spine;
       } else {
-        EXPECT_TRUE(both_on_one_side(x, y, box)) << feature_table()[page].name << " has a crack at "
+        EXPECT_TRUE(both_on_one_side(x, y, box)) << standard_features().rows()[page].name << " has a crack at "
                                                  << x[0] << " " << x[1] << " " << x[2];
       }
     }
     // Every page is attached to all of the spine. (More only where coordinates coincide: in
     // symmetric fields on regular grids distinct vertices may round to one point.)
-    EXPECT_GE(on_spine, curve.segments.size()) << feature_table()[page].name;
+    EXPECT_GE(on_spine, curve.segments.size()) << standard_features().rows()[page].name;
     if (GetParam().generic) {
-      EXPECT_EQ(on_spine, curve.segments.size()) << feature_table()[page].name;
+      EXPECT_EQ(on_spine, curve.segments.size()) << standard_features().rows()[page].name;
     }
   }
 }

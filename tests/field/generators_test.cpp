@@ -205,6 +205,39 @@ TEST(Generators, RandomLinearIsExactlyLinearOnEveryDyadicGrid) {
             generate_random_linear({.n = 1, .seed = 2}).tensors);
 }
 
+TEST(Generators, SymmetricIsExactlySymmetricAndLinear) {
+  const TensorField field = generate_symmetric({.n = 4, .jitter = 0.2, .seed = 3});
+  const TensorField corners = generate_symmetric({.n = 1, .seed = 3});
+  std::set<double> values;
+  for (const auto& t : field.tensors) {
+    values.insert(t.begin(), t.end());
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < i; ++j) EXPECT_EQ(t[3 * i + j], t[3 * j + i]);
+    }
+  }
+  EXPECT_GT(values.size(), 5 * field.tensors.size());  // six per tensor, but for chance
+  for (int i = 0; i < 9; ++i) {  // the middle of the box has the mean of its corners
+    double sum = 0;
+    for (const auto& t : corners.tensors) sum += t[i];
+    EXPECT_EQ(generate_symmetric({.n = 2, .seed = 3}).tensors[13][i], sum / 8);
+  }
+}
+
+TEST(Generators, ConstantIsTheGivenTensorEverywhere) {
+  const Tensor<double> tensor{0.1, -2, 3, 1e300, 0x1p-1074, 6, 7, 8, -9};
+  for (const CellSplit split : {CellSplit::Six, CellSplit::Five}) {
+    for (const auto& t :
+         generate_constant({.n = 3, .jitter = 0.1, .split = split}, tensor).tensors) {
+      EXPECT_EQ(t, tensor);
+    }
+  }
+  for (const auto& t : generate_constant({.n = 2}).tensors) EXPECT_EQ(t, kDefaultConstantTensor);
+  EXPECT_NE(det(kDefaultConstantTensor), 0);
+  Tensor<double> bad = tensor;
+  bad[4] = std::nan("");
+  EXPECT_THROW(generate_constant({.n = 2}, bad), BadInput);
+}
+
 TEST(Generators, NoiseIsIndependentAndInRange) {
   const TensorField field = generate_noise({.n = 10});
   std::set<double> values;
@@ -245,7 +278,7 @@ TEST(Generators, SizesAndVolume) {
 }
 
 TEST(Generators, AllPassTheInputCheck) {
-  EXPECT_EQ(generator_table().size(), 5u);
+  EXPECT_EQ(generator_table().size(), 7u);
   for (const GeneratorRow& row : generator_table()) {
     for (const CellSplit split : {CellSplit::Six, CellSplit::Five}) {
       for (const double jitter : {0.0, 0.11}) {

@@ -30,12 +30,12 @@ unsigned allowed_sectors(const RefinedComplex& complex, const Leaf& leaf) {
   for (int i = 0; i < 4; ++i)
     for (int j = i + 1; j < 4; ++j) {
       const int r = rotation_along(complex.field, leaf.vertices[i], leaf.vertices[j], sector(i),
-                                   sector(j), stages)
+                                   sector(j), standard_features(), stages)
                         .value();
       rotation[i][j] = r;
       rotation[j][i] = -r;
       for (int k = 0; k <= std::abs(r); ++k)
-        allowed |= 1u << ((index(sector(i)) + (r > 0 ? k : -k) + 2 * kPages) % kPages);
+        allowed |= 1u << ((index(sector(i)) + (r > 0 ? k : -k) + 2 * kStandardPages) % kStandardPages);
     }
   for (const auto& f : {std::array{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}})
     if (rotation[f[0]][f[1]] + rotation[f[1]][f[2]] + rotation[f[2]][f[0]] != 0) return kAllSectors;
@@ -48,12 +48,13 @@ std::optional<Sector> sampled_sector(const Tensor<double>& a, double size) {
   const double P = f.p[0], Q = f.q[0];
   const double p_blur = 1e-11 * size * size, q_blur = p_blur * size;
   if (std::fabs(P) < p_blur || std::fabs(Q) < q_blur) return std::nullopt;
-  if (P > 0) return Q > 0 ? Sector::InnerComplexLinear : Sector::InnerComplexPlanar;
+  const auto sector = [](Domain d) { return static_cast<Sector>(d); };
+  if (P > 0) return sector(Q > 0 ? Domain::InnerComplexLinear : Domain::InnerComplexPlanar);
   const double minus_d = 2 * P * P * P + 3 * Q * Q;
   const double blur = 6 * P * P * p_blur + 6 * std::fabs(Q) * q_blur;
   if (std::fabs(minus_d) < blur) return std::nullopt;
-  if (Q > 0) return minus_d < 0 ? Sector::RealLinear : Sector::OuterComplexLinear;
-  return minus_d < 0 ? Sector::RealPlanar : Sector::OuterComplexPlanar;
+  if (Q > 0) return sector(minus_d < 0 ? Domain::RealLinear : Domain::OuterComplexLinear);
+  return sector(minus_d < 0 ? Domain::RealPlanar : Domain::OuterComplexPlanar);
 }
 
 struct Sampling {

@@ -8,7 +8,7 @@
 
 #include "triplex/certify/variation.hpp"
 #include "triplex/certify/vertex.hpp"
-#include "triplex/feature/feature.hpp"
+#include "triplex/feature/feature_table.hpp"
 #include "triplex/field/refinable_field.hpp"
 
 namespace triplex {
@@ -22,6 +22,7 @@ enum class Obstacle : std::uint8_t {
   Edge,       ///< a sheet may cross an edge more than once
   SpineFace,  ///< (p, q) not proven injective on a face
   SpineCell,  ///< the triple degenerate curve not proven monotone, or more than one arc
+  LevelSet,   ///< the tensors at outside vertices not separated from a level set's convex set
 };
 std::string_view describe(Obstacle obstacle);
 
@@ -42,12 +43,13 @@ struct CellCertificate {
 inline constexpr std::uint8_t kOpenSector = 0xff;
 using SectorTable = std::span<const std::uint8_t>;
 
-/// Certifies the requested features on one tet with its faces and edges.
+/// Certifies the requested pages and the curve on one tet with its faces and edges.
 /// Guarantee: if `complete`, then in this tet each requested page is what vertex labels and edge
 /// rotations say: per page nothing, one disc, or one half of a disc cut by the single arc of the
 /// triple degenerate curve. Source: proofs/cell.md.
-/// \pre vertices ascending.
+/// \pre vertices ascending; `requested` holds no level sets.
 CellCertificate certify_cell(const RefinableField& field, const std::array<VertexId, 4>& vertices,
-                             SectorTable sectors, FeatureSet requested, SignStages& stages);
+                             SectorTable sectors, const FeatureTable& table, FeatureSet requested,
+                             SignStages& stages);
 
 }  // namespace triplex

@@ -21,17 +21,19 @@ std::optional<Sign> q_at_root_of_p(const RefinableField& field, VertexId a, Vert
 /// edge in the punctured plane if p and q vanish at most once each on the edge or (p, q) stays in a
 /// half plane. Nothing where `q_at_root_of_p` is open.
 std::optional<int> rotation_along(const RefinableField& field, VertexId a, VertexId b,
-                                  Sector sector_a, Sector sector_b, SignStages& stages);
+                                  Sector sector_a, Sector sector_b, const FeatureTable& table,
+                                  SignStages& stages);
 
 /// Page number i, from 0, that an edge leaving a sector with that rotation crosses.
-constexpr Feature page_crossed(Sector from, int rotation, int i) {
-  const int page = rotation > 0 ? index(from) + 1 + i : index(from) - i;
-  return static_cast<Feature>((page + kPages) % kPages);
+inline Feature page_crossed(const FeatureTable& table, Sector from, int rotation, int i) {
+  const int k = table.page_count();
+  const int position = rotation > 0 ? index(from) + 1 + i : index(from) - i;
+  return table.page((position + k) % k);
 }
-constexpr FeatureSet pages_crossed(Sector from, int rotation) {
+inline FeatureSet pages_crossed(const FeatureTable& table, Sector from, int rotation) {
   FeatureSet pages = 0;
   for (int i = 0; i < (rotation < 0 ? -rotation : rotation); ++i)
-    pages |= bit(page_crossed(from, rotation, i));
+    pages |= bit(page_crossed(table, from, rotation, i));
   return pages;
 }
 

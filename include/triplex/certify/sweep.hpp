@@ -31,6 +31,8 @@ Instructions best_instructions();
 /// that hold nothing, and those that hold sheets but no spine, where the filter's first answers and
 /// a direction near the mean gradient suffice. On rung one only (the filter).
 ///
+/// Only of the standard pages and the curve: \pre `requested` is a part of `kStandardSet`, and the
+/// sectors are those of a book of six pages.
 /// Guarantee: a settled tet carries the proofs that `certify_cell` asks for (proofs/sweep.md). Law:
 /// the answer on a tet does not depend on the others, nor on the instructions.
 /// \pre at most kSweepBlock cells, vertices ascending; as many results as cells.

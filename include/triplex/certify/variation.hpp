@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
 #include "triplex/certify/simplex.hpp"
+#include "triplex/feature/sheet.hpp"
 
 namespace triplex {
 
 /// Which functions a choice of edge looks at.
 struct Measures {
-  bool p = false, q = false, discriminant = false;
+  bool p = false, q = false;
+  std::span<const ModeMap> discriminants = {};  ///< of the forms so mapped
 };
 
 struct EdgeChoice {

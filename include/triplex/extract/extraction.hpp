@@ -11,14 +11,14 @@
 #include <vector>
 
 #include "triplex/arithmetic/sign.hpp"
-#include "triplex/feature/feature.hpp"
+#include "triplex/feature/feature_table.hpp"
 #include "triplex/field/tensor_field.hpp"
 
 namespace triplex {
 
 /// One feature as an indexed mesh: triangles for a surface, segments for the triple curve.
 /// Watertight by construction: cells share vertices by index. Triangles are consistently oriented:
-/// normals point in the direction in which the angle of (p, q) grows.
+/// normals point in the direction in which the angle of (p, q) grows; on a level set, outwards.
 struct FeatureMesh {
   std::vector<Point> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -28,6 +28,9 @@ struct FeatureMesh {
   std::vector<double> q;  ///< determinant of the deviator, in cubed tensor units
   std::vector<double>
       mode;  ///< mu = 3 sqrt(3) |q| / (2 |p|^(3/2)): 0 neutral, 1 degenerate, inf balanced
+  /// T itself, interpolated in doubles: what further quantities are computed from. Empty unless
+  /// `ExtractionOptions::keep_tensors`.
+  std::vector<Tensor<double>> tensors;
   // per cell
   std::vector<std::int64_t> source_cell;  ///< cell id in the input file
   std::vector<std::uint8_t> certified;    ///< 1 where the topology is proven
@@ -59,7 +62,10 @@ struct ExtractionTiming {
 using ProgressCallback = std::function<void(std::string_view step, double done)>;
 
 struct ExtractionOptions {
-  FeatureSet features = kAllFeatures;
+  FeatureTable table;
+  FeatureSet features = kStandardSet;  ///< rows of the table
+  /// Fill `FeatureMesh::tensors`.
+  bool keep_tensors = false;
   /// Bisections that one tet of the input may ask for before it is reported as unresolved.
   std::uint32_t max_bisections = 64;
   /// 0: all cores.
@@ -73,7 +79,10 @@ struct ExtractionOptions {
 struct Interrupted {};
 
 struct Extraction {
-  std::array<FeatureMesh, kFeatures> features;  ///< in the order of `Feature`
+  FeatureTable table;
+  FeatureSet requested = 0;
+  std::vector<FeatureMesh> features;  ///< one per row of the table; empty where not asked for
+  const FeatureMesh& mesh(Feature f) const { return features[index(f)]; }
   CertificateCounts certificates;
   RefinementStatistics refinement;
   SignStages sign_stages;

@@ -59,6 +59,16 @@ TensorField generate_random_linear(const GridOptions& options);
 /// Nine independent random numbers in [-1, 1) at every vertex. Default box: [0,1]^3.
 TensorField generate_noise(const GridOptions& options);
 
+/// The same tensor everywhere: where its invariants do not vanish, the field has no feature at all.
+/// Default box: [0,1]^3. The tensor must be finite: \throw BadInput.
+inline constexpr Tensor<double> kDefaultConstantTensor{2, -1, 0, 1, 1, 0, 0, 0, -1};
+TensorField generate_constant(const GridOptions& options,
+                              const Tensor<double>& tensor = kDefaultConstantTensor);
+
+/// A linear field as `generate_random_linear`, of symmetric tensors: entries (i, j) and (j, i) are
+/// the same bits. Its degenerate points form curves, not surfaces. Default box: [-1,1]^3.
+TensorField generate_symmetric(const GridOptions& options);
+
 /// One row of the table of generators, with default parameters.
 struct GeneratorRow {
   std::string_view name;   ///< on the command line

@@ -13,7 +13,7 @@
 
 namespace triplex {
 
-/// The tripled deviator 3 T - tr(T) I at a vertex in doubles, scaled by a power of two that all
+/// A tensor at a vertex (the tripled deviator 3 T - tr(T) I, or T itself) in doubles, scaled by a power of two that all
 /// vertices of the field share, with its proven error.
 struct ApproximateTensor {
   Tensor<double> a;
@@ -39,6 +39,10 @@ class RefinableField {
   const ApproximateTensor& approximate(VertexId v) const { return approximations_[index(v)]; }
   /// The tripled deviator 3 T - tr(T) I, exactly, in the units of the input.
   Tensor<Exact> exact(VertexId v) const;
+  /// T itself, scaled like `approximate`; put together on each call.
+  ApproximateTensor approximate_tensor(VertexId v) const;
+  /// T itself, exactly, in the units of the input.
+  Tensor<Exact> exact_tensor(VertexId v) const;
   /// The position, rounded once per coordinate combination (exact for vertices of the input).
   Point position(VertexId v) const;
   /// log2 of the factor that `approximate` was multiplied by.

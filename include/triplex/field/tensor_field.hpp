@@ -24,6 +24,14 @@ struct TetMesh {
   std::vector<std::array<VertexId, 4>> tets;
 };
 
+/// How many cells of a file that were no tets were cut into tets.
+struct SplitCounts {
+  std::size_t hexahedra = 0;  ///< voxels too
+  std::size_t wedges = 0;
+  std::size_t pyramids = 0;
+  std::size_t total() const { return hexahedra + wedges + pyramids; }
+};
+
 /// A tensor at every vertex of a tet mesh, interpolated linearly in each tet.
 /// Guarantee for the layers above: it passed `check_input` (finite, conforming, oriented, no
 /// duplicates). Doubles are exact dyadic rationals, so this *is* the exact field.
@@ -31,8 +39,10 @@ struct TensorField {
   TetMesh mesh;
   std::vector<Tensor<double>> tensors;  ///< one per point, row-major
   std::string array_name;               ///< name of the point array the tensors came from
-  /// Cell id in the input file of each tet (they differ where cells were skipped). Empty: identity.
+  /// Cell id in the input file of each tet (they differ where cells were skipped or split; the tets
+  /// of a split cell are neighbours in the list). Empty: identity.
   std::vector<std::int64_t> source_cells;
+  SplitCounts split;
 };
 
 }  // namespace triplex

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "triplex/certify/cell.hpp"
+#include "triplex/certify/level_set.hpp"
 #include "triplex/field/refinable_field.hpp"
 
 namespace triplex {
@@ -28,7 +29,8 @@ struct Leaf {
 enum class Limit : std::uint8_t { None, Budget, Depth, Size };
 
 struct RefineOptions {
-  FeatureSet features = kAllFeatures;
+  FeatureTable table;
+  FeatureSet features = kStandardSet;  ///< rows of the table
   /// Bisections that one tet of the input may ask for.
   std::uint32_t max_bisections = 64;
   /// No further round starts with more tets than this; bounds memory.
@@ -43,6 +45,7 @@ struct RefinedComplex {
 
   RefinableField field;
   std::vector<std::uint8_t> sectors;  ///< per vertex: a `Sector`, or kOpenSector
+  std::vector<LevelSides> sides;      ///< per vertex; empty if no level set is requested
   std::vector<Leaf> leaves;
   std::uint64_t rounds = 0, bisections = 0;
   bool hit_size_limit = false;

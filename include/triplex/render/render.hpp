@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "triplex/feature/feature.hpp"
+#include "triplex/feature/feature_table.hpp"
 
 namespace triplex {
 
@@ -27,7 +27,8 @@ std::optional<CameraPreset> camera_named(std::string_view name);
 using Bounds = std::array<std::array<double, 2>, 3>;
 
 struct RenderOptions {
-  FeatureSet features = kAllFeatures;
+  FeatureTable table;
+  FeatureSet features = kStandardSet;  ///< rows of the table
   int width = 1600;
   int height = 1200;
   CameraPreset camera = CameraPreset::Diagonal;

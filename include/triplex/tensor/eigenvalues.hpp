@@ -5,6 +5,7 @@
 #include <array>
 
 #include "triplex/bernstein/tensor_array.hpp"
+#include "triplex/tensor/invariants.hpp"
 
 namespace triplex {
 
@@ -30,5 +31,14 @@ struct Eigenvalues {
 /// p > 0: the real eigenvalue has the sign of q, as l^3 + p l = q requires.
 Eigenvalues eigenvalues(const Tensor<double>& t);
 Eigenvalues deviator_eigenvalues(const Tensor<double>& t);
+
+/// The relative error of p, q and D that the errors above are for: the best that `invariants`
+/// offers.
+inline constexpr double kEigenvalueAccuracy = 0x1p-45;
+
+/// The eigenvalues of the deviator times 2^shift, from its invariants: nothing is lost where the
+/// tensor, or its deviator, is close to the end of the range of doubles. Errors as above if the
+/// relative error of `i` is `kEigenvalueAccuracy`, else larger in proportion.
+Eigenvalues deviator_eigenvalues(const Invariants& i, int shift = 0);
 
 }  // namespace triplex

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   if (argc != 3) return 1;
   const triplex::TensorField field = triplex::read_field(argv[1]);
   const triplex::Extraction result = triplex::extract(field);
-  for (const triplex::FeatureRow& row : triplex::feature_table()) {
+  for (const triplex::FeatureRow& row : triplex::standard_features().rows()) {
     triplex::write_polydata(std::filesystem::path(argv[2]) / (std::string(row.name) + ".vtp"),
                             result.features[static_cast<std::size_t>(row.feature)], row.feature);
   }

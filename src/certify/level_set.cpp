@@ -1,0 +1,345 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triplex/certify/level_set.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "nearest_point.hpp"
+#include "triplex/certify/witness.hpp"
+#include "vertex_tensor.hpp"
+
+namespace triplex {
+namespace {
+
+constexpr double kSlack = 1 + 0x1p-20;  // the roundings of an error bound's own evaluation
+
+template <class NT>
+NT trace(const Tensor<NT>& t) {
+  return t[0] + t[4] + t[8];
+}
+/// Three entry errors; two roundings of sums below 3 M.
+double trace_error(const EntryBounds& b) {
+  return kSlack * (3 * b.error + gamma(2) * 3 * b.magnitude);
+}
+/// Nine products below M^2, each with 9 roundings at most, and 2 M e + e^2 each for the entries.
+double square_error(const EntryBounds& b) {
+  const double m = b.magnitude, e = b.error;
+  return kSlack * 9 * (2 * m * e + e * e + gamma(9) * m * m);
+}
+
+Verdict both(Certainty a, Certainty b) {
+  AllPositive all;
+  if (all.add(a)) all.add(b);
+  return all.verdict();
+}
+Certainty oriented(Certainty c, double s) {
+  return s < 0 ? static_cast<Certainty>(-static_cast<int>(c)) : c;
+}
+
+/// T lies in the open convex set of a level set (feature/level_set.hpp).
+struct Inside {
+  const LevelSet& level;
+
+  template <class NT>
+  Verdict operator()(const Tensor<NT>& t, const EntryBounds& bounds, int scale) const {
+    switch (level.kind) {
+      case LevelSet::Kind::Traceless:
+        return both(Certainty::Positive, certainty(trace(t), trace_error(bounds)));
+      case LevelSet::Kind::Magnitude: {
+        // s^2 - |T|^2: the square of s is rounded once and takes part in one sum.
+        const double s = std::ldexp(level.value, scale);
+        if (!(s > kSmallestFiltered && s < 1 / kSmallestFiltered) && scale != 0)
+          return Verdict::Unknown;
+        const double error = square_error(bounds) +
+                             gamma(3) * kSlack * (s * s + 9 * bounds.magnitude * bounds.magnitude);
+        const NT value = NT(s) * NT(s) - double_dot(t, t);
+        return both(Certainty::Positive, certainty(value, error));
+      }
+      case LevelSet::Kind::Isotropicity: {
+        // tr^2 - 3 eta^2 |T|^2: |tr| <= 3 M, so the square moves by 6 M dt + dt^2, with dt the error
+        // of the trace, and takes 2 roundings; the other term takes 4 on top of |T|^2's.
+        const double m = bounds.magnitude, dt = trace_error(bounds), eta = level.value;
+        const double error =
+            kSlack * (6 * m * dt + dt * dt + gamma(3) * 9 * m * m +
+                      3 * eta * eta * (square_error(bounds) + gamma(5) * 9 * m * m));
+        const NT tr = trace(t);
+        const NT value = tr * tr - NT(3) * NT(eta) * NT(eta) * double_dot(t, t);
+        return both(oriented(certainty(tr, dt), eta), certainty(value, error));
+      }
+    }
+    return Verdict::Unknown;
+  }
+};
+
+/// The tensor lies beyond the hyperplane with normal D that bounds a half space without points of
+/// the convex set. Magnitude: D : T > 0 and (D : T)^2 > s^2 |D|^2. Isotropicity: D : T < 0, for a D
+/// of the dual cone.
+struct BeyondPlane {
+  const LevelSet& level;
+  const Tensor<double>& d;
+
+  template <class NT>
+  Verdict operator()(const Tensor<NT>& t, const EntryBounds& bounds, int scale) const {
+    Tensor<NT> D;
+    double norm1 = 0, norm2 = 0;
+    for (int k = 0; k < 9; ++k) {
+      D[k] = NT(d[k]);
+      norm1 += std::fabs(d[k]);
+      norm2 += d[k] * d[k];
+    }
+    // Sums of |d| M take 9 roundings at most.
+    const double m = norm1 * bounds.magnitude;
+    const double dl = kSlack * (norm1 * bounds.error + gamma(9) * m);
+    const NT along = double_dot(D, t);
+    if (level.kind != LevelSet::Kind::Magnitude)
+      return both(Certainty::Positive, certainty(NT(-along), dl));
+
+    const double s = std::ldexp(level.value, scale);
+    if (!(s > kSmallestFiltered && s < 1 / kSmallestFiltered) && scale != 0)
+      return Verdict::Unknown;
+    const double error = kSlack * (2 * m * dl + dl * dl + gamma(3) * m * m +
+                                   gamma(14) * s * s * norm2);
+    const NT value = along * along - NT(s) * NT(s) * double_dot(D, D);
+    return both(certainty(along, dl), certainty(value, error));
+  }
+};
+
+/// D : X >= 0 for all X in the cone: sign(eta) tr(D) > 0 and tr(D)^2 >= 3 (1 - eta^2) |D|^2.
+bool in_dual_cone(const Tensor<double>& d, double eta) {
+  Tensor<Exact> D;
+  for (int k = 0; k < 9; ++k) D[k] = Exact(d[k]);
+  const Exact tr = trace(D);
+  const Exact rest = Exact(3) * (Exact(1) - Exact(eta) * Exact(eta)) * double_dot(D, D);
+  return static_cast<int>(sign(tr)) == (eta < 0 ? -1 : 1) && sign(tr * tr - rest) != Sign::Negative;
+}
+
+double norm(const Tensor<double>& t) { return std::sqrt(double_dot(t, t)); }
+
+Tensor<double> few_bits(Tensor<double> t) {
+  double largest = 0;
+  for (const double x : t) largest = std::fmax(largest, std::fabs(x));
+  if (!(largest > 0) || !std::isfinite(largest)) return {};
+  const double unit = std::ldexp(1.0, -std::ilogb(largest));
+  for (double& x : t) x = triplex::few_bits(x * unit);
+  return t;
+}
+
+double side_of(const LevelSet& level) { return level.value < 0 ? -1 : 1; }
+Tensor<double> axis(double length) { return {length, 0, 0, 0, length, 0, 0, 0, length}; }
+
+/// X in the plane of the axis J of a cone and the unit vector U across it.
+struct AxialPlane {
+  double along, beside;
+  Tensor<double> across;
+
+  AxialPlane(const LevelSet& level, const Tensor<double>& X) : j_(side_of(level) / std::sqrt(3.0)) {
+    along = j_ * trace(X);
+    for (int k = 0; k < 9; ++k) across[k] = X[k] - (k % 4 == 0 ? along * j_ : 0);
+    beside = norm(across);
+    if (beside > 0)
+      for (double& x : across) x /= beside;
+  }
+  /// sin(a) J - cos(a) U: what lies at an angle phi < 90 degrees + a has it behind for phi > a; it is
+  /// dual to the cone for a >= theta, the cone's angle.
+  Tensor<double> normal(double a) const {
+    Tensor<double> d;
+    for (int k = 0; k < 9; ++k)
+      d[k] = (k % 4 == 0 ? std::sin(a) * j_ : 0) - std::cos(a) * across[k];
+    return d;
+  }
+
+ private:
+  double j_;
+};
+
+double angle_of(const LevelSet& level) { return std::acos(std::fabs(level.value)); }
+
+/// Where all tensors are on the cone's side of tr = 0: the direction of their hull nearest to the
+/// axis is that of the nearest point of the tensors scaled to trace one. Of the normals between the
+/// plane through it and the cone's own tangent plane the middle one is taken.
+Tensor<double> normal_at_nearest_direction(const LevelSet& level,
+                                           std::span<const Tensor<double>> tensors) {
+  std::vector<Tensor<double>> scaled(tensors.begin(), tensors.end());
+  for (Tensor<double>& t : scaled) {
+    const double tr = side_of(level) * trace(t);
+    for (double& x : t) x /= tr;
+  }
+  const AxialPlane nearest(level, nearest_to_origin(scaled));
+  return few_bits(
+      nearest.normal((std::atan2(nearest.beside, nearest.along) + angle_of(level)) / 2));
+}
+
+/// In general: the point of the hull nearest to the cone, by Frank and Wolfe's method, as far as
+/// needed for the normal there to have all tensors behind it. That normal is minus the point's
+/// projection on the polar cone, turned a little to the axis, so that rounding does not take it out
+/// of the dual cone.
+Tensor<double> normal_at_nearest_point(const LevelSet& level,
+                                       std::span<const Tensor<double>> tensors) {
+  constexpr int kSteps = 32;
+  constexpr double kTurn = 0x1p-16;
+  const double theta = angle_of(level);
+  Tensor<double> x{};
+  for (const auto& t : tensors)
+    for (int k = 0; k < 9; ++k) x[k] += t[k] / static_cast<double>(tensors.size());
+  for (int step = 0;; ++step) {
+    const AxialPlane plane(level, x);
+    // Beyond the polar cone's angle, 90 degrees + theta, minus X itself is the normal.
+    const double phi = std::atan2(plane.beside, plane.along);
+    const Tensor<double> d =
+        plane.normal(std::fmax(theta, phi - std::acos(0.0)) + kTurn);
+    const auto worst = std::ranges::max_element(
+        tensors, {}, [&](const Tensor<double>& t) { return double_dot(d, t); });
+    if (step == kSteps || double_dot(d, *worst) < 0) return few_bits(d);
+    for (int k = 0; k < 9; ++k) x[k] += 2.0 / (step + 3) * ((*worst)[k] - x[k]);
+  }
+}
+
+/// Normals worth trying for the tensors of the outside vertices, the cheaper one first.
+class Normals {
+ public:
+  Normals(const LevelSet& level, std::span<const Tensor<double>> outside)
+      : level_(level), outside_(outside) {}
+
+  Tensor<double> first() const {
+    if (level_.kind != LevelSet::Kind::Magnitude) return axis(side_of(level_));
+    Tensor<double> mean{};
+    for (const auto& t : outside_)
+      for (int k = 0; k < 9; ++k) mean[k] += t[k];
+    return few_bits(mean);
+  }
+  Tensor<double> second() const {
+    if (level_.kind == LevelSet::Kind::Magnitude) return few_bits(nearest_to_origin(outside_));
+    const bool ahead = std::ranges::all_of(outside_, [this](const Tensor<double>& t) {
+      return side_of(level_) * trace(t) > 0;
+    });
+    return ahead ? normal_at_nearest_direction(level_, outside_)
+                 : normal_at_nearest_point(level_, outside_);
+  }
+
+ private:
+  const LevelSet& level_;
+  std::span<const Tensor<double>> outside_;
+};
+
+bool is_zero(const Tensor<double>& d) {
+  return std::ranges::all_of(d, [](double x) { return x == 0; });
+}
+
+/// The vertices of a tet that lie outside one level set.
+class OutsideVertices {
+ public:
+  OutsideVertices(const RefinableField& field, const std::array<VertexId, 4>& vertices,
+                  std::span<const LevelSides> sides, Feature feature) {
+    for (int i = 0; i < 4; ++i) {
+      if (contains(sides[index(vertices[i])].inside, feature)) continue;
+      local_[count_++] = i;
+      tensors_.emplace_back(field, vertices[i]);
+      approximate_.push_back(tensors_.back().approximate());
+    }
+  }
+  std::size_t count() const { return count_; }
+
+  bool separated_from(const LevelSet& level, SignStages& stages) const {
+    if (count_ == 1 || level.kind == LevelSet::Kind::Traceless) return true;
+    const Normals normals(level, approximate_);
+    return separates(level, normals.first(), stages) || separates(level, normals.second(), stages);
+  }
+  /// The two whose tensors differ most, as local indices.
+  std::array<int, 2> farthest_pair() const {
+    std::array<int, 2> best = {local_[0], local_[1]};
+    double farthest = -1;
+    for (std::size_t i = 0; i < count_; ++i)
+      for (std::size_t j = i + 1; j < count_; ++j) {
+        Tensor<double> difference;
+        for (int k = 0; k < 9; ++k) difference[k] = approximate_[i][k] - approximate_[j][k];
+        if (const double d = norm(difference); d > farthest) {
+          farthest = d;
+          best = {local_[i], local_[j]};
+        }
+      }
+    return best;
+  }
+
+ private:
+  bool separates(const LevelSet& level, const Tensor<double>& d, SignStages& stages) const {
+    if (is_zero(d)) return false;
+    if (level.kind == LevelSet::Kind::Isotropicity && !in_dual_cone(d, level.value)) return false;
+    return std::ranges::all_of(tensors_, [&](const VertexTensor& t) {
+      return t.decide(BeyondPlane{level, d}, stages) == Verdict::Yes;
+    });
+  }
+
+  std::array<int, 4> local_{};
+  std::size_t count_ = 0;
+  std::vector<VertexTensor> tensors_;
+  std::vector<Tensor<double>> approximate_;
+};
+
+}  // namespace
+
+LevelSides sides_at(const RefinableField& field, VertexId v, const FeatureTable& table,
+                    FeatureSet requested, SignStages& stages) {
+  const VertexTensor tensor(field, v);
+  LevelSides sides;
+  for (const FeatureRow& row : table.rows()) {
+    if (row.kind != FeatureKind::LevelSet || !contains(requested, row.feature)) continue;
+    switch (tensor.decide(Inside{row.level}, stages)) {
+      case Verdict::Yes:
+        sides.inside |= bit(row.feature);
+        break;
+      case Verdict::Unknown:
+        sides.open |= bit(row.feature);
+        break;
+      case Verdict::No:
+        break;
+    }
+  }
+  return sides;
+}
+
+namespace {
+Certainty to_certainty(Verdict inside) {
+  return inside == Verdict::Yes  ? Certainty::Positive
+         : inside == Verdict::No ? Certainty::Negative
+                                 : Certainty::Unknown;
+}
+}  // namespace
+
+Certainty side_by_filter(const LevelSet& level, const Tensor<double>& t, const EntryBounds& bounds,
+                         int scale) {
+  return bounds.usable() ? to_certainty(Inside{level}(t, bounds, scale)) : Certainty::Unknown;
+}
+Certainty exact_side(const LevelSet& level, const Tensor<Exact>& t) {
+  return to_certainty(Inside{level}(t, EntryBounds{}, 0));
+}
+
+void certify_level_sets(const RefinableField& field, const std::array<VertexId, 4>& vertices,
+                        std::span<const LevelSides> sides, const FeatureTable& table,
+                        FeatureSet requested, CellCertificate& certificate, SignStages& stages) {
+  for (const FeatureRow& row : table.rows()) {
+    if (row.kind != FeatureKind::LevelSet || !contains(requested, row.feature)) continue;
+    if (std::ranges::any_of(vertices, [&](VertexId v) {
+          return contains(sides[index(v)].open, row.feature);
+        })) {
+      certificate.open |= bit(row.feature);
+      if (certificate.obstacle == Obstacle::None) certificate.obstacle = Obstacle::Vertex;
+      continue;
+    }
+    const OutsideVertices outside(field, vertices, sides, row.feature);
+    if (outside.count() == 0) {
+      certificate.excluded |= bit(row.feature);
+    } else if (outside.separated_from(row.level, stages)) {
+      (outside.count() == 4 ? certificate.excluded : certificate.graph) |= bit(row.feature);
+    } else {
+      certificate.open |= bit(row.feature);
+      if (certificate.obstacle != Obstacle::None) continue;
+      const auto [i, j] = outside.farthest_pair();
+      certificate.obstacle = Obstacle::LevelSet;
+      certificate.edge = {vertices[i], vertices[j]};
+      certificate.variation = 1;  // of the largest, as `edge_of_largest_variation` counts
+    }
+  }
+}
+
+}  // namespace triplex
