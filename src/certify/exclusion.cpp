@@ -103,17 +103,20 @@ struct InsideTangent {
 };
 
 /// The tangent that leaves most room, for the doubles: the largest slack over the control points is
-/// convex in v, so its minimum is bisected; stops at the first v that serves.
+/// convex in v, so its minimum is bisected, from the tangent at the mean of p on; stops at the
+/// first v that serves.
 template <int N>
 double best_tangent(const Forms<double, N>& f, Sign s) {
   std::array<double, kTriples<N>> q, r;
-  double lowest = 0;
+  double lowest = 0, sum = 0;
   for (int n = 0; n < kTriples<N>; ++n) {
     q[n] = s == Sign::Positive ? f.q[n] : -f.q[n];
     r[n] = tripled_p(f, triples<N>()[n]);
     lowest = std::min(lowest, r[n]);
+    sum += r[n];
   }
-  double low = 0, high = std::sqrt(-lowest / 18), v = 0;
+  double low = 0, high = std::sqrt(-lowest / 18);
+  double v = few_bits(std::sqrt(std::max(0.0, -sum / (18 * kTriples<N>))));
   const auto worst = [&](double at, double& slope) {
     double value = -INFINITY;
     for (int n = 0; n < kTriples<N>; ++n) {
@@ -127,10 +130,10 @@ double best_tangent(const Forms<double, N>& f, Sign s) {
   };
   constexpr int kSteps = 12;  // a quality limit only
   for (int step = 0; step < kSteps; ++step) {
-    v = few_bits((low + high) / 2);
     double slope = 0;
     if (worst(v, slope) < 0) break;
     (slope > 0 ? high : low) = v;
+    v = few_bits((low + high) / 2);
   }
   return v;
 }

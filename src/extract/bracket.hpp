@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
@@ -26,12 +27,14 @@ double bracketed_root(const F& f, double low, double high) {
 }
 
 /// The smallest power-of-two distance at which the filter `sign_at` sees the sign change around t;
-/// 1 if that is beyond kWidestBracket.
+/// 1 if that is beyond kWidestBracket. Below `hopeless` the filter is known to see nothing.
 template <class SignAt>
-double certified_error(const SignAt& sign_at, double t, bool rising) {
+double certified_error(const SignAt& sign_at, double t, bool rising, double hopeless = 0) {
   const Certainty before = rising ? Certainty::Negative : Certainty::Positive;
   const Certainty after = rising ? Certainty::Positive : Certainty::Negative;
-  for (double error = 0x1p-50; error <= kWidestBracket; error *= 4) {
+  double error = 0x1p-50;
+  while (error < std::min(hopeless, kWidestBracket / 4)) error *= 4;
+  for (; error <= kWidestBracket; error *= 4) {
     const bool left = t - error <= 0 || sign_at(t - error) == before;
     if (left && (t + error >= 1 || sign_at(t + error) == after)) return error;
   }

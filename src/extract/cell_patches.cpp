@@ -31,11 +31,11 @@ void sort_edges(std::array<int, 3>& edges, int count) {
 
 class CellTracer {
  public:
-  CellTracer(const Leaf& leaf, const EdgeCrossings& crossings,
-             const FaceSpinePoints& spine_points)
+  CellTracer(const Leaf& leaf, const EdgeCrossings& crossings, const FaceSpinePoints& spine_points)
       : leaf_(leaf), crossings_(crossings) {
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j) {
+        if (crossings.labels().agree(leaf.vertices[i], leaf.vertices[j])) continue;
         const CrossedEdge* edge = crossings.find(leaf.vertices[i], leaf.vertices[j]);
         edges_[kEdgeNumber[i][j]] = edge;
         if (edge != nullptr) present_ |= crossings.features_on(*edge);
@@ -48,8 +48,7 @@ class CellTracer {
       add_loops(static_cast<Feature>(std::countr_zero(rest)), patches.loops);
     if (contains(features, Feature::TripleCurve))
       for (int n = 0; n < arcs_; ++n)
-        patches.spine.push_back(
-            {spine_vertex(spine_arcs_[n][0]), spine_vertex(spine_arcs_[n][1])});
+        patches.spine.push_back({spine_vertex(spine_arcs_[n][0]), spine_vertex(spine_arcs_[n][1])});
   }
 
  private:
@@ -72,8 +71,8 @@ class CellTracer {
     int positives = 0, negatives = 0;
     for (int face = 0; face < kFacesOfCell; ++face) {
       const auto [a, b, c] = outward(face);
-      const int winding = (rotation(a, b) + rotation(b, c) + rotation(c, a)) /
-                          crossings_.table().page_count();
+      const int winding =
+          (rotation(a, b) + rotation(b, c) + rotation(c, a)) / crossings_.table().page_count();
       if (winding == 0) continue;
       std::array<VertexId, 3> key;
       for (int i = 0, k = 0; i < 4; ++i)
@@ -128,9 +127,7 @@ class CellTracer {
     }
   }
 
-  int crossing(int e, Feature feature) const {
-    return crossings_.crossing_of(*edges_[e], feature);
-  }
+  int crossing(int e, Feature feature) const { return crossings_.crossing_of(*edges_[e], feature); }
   PatchVertex crossing_vertex(int e, Feature feature) const {
     return {static_cast<std::uint32_t>(crossing(e, feature)), false, kFacesOfEdge[e]};
   }

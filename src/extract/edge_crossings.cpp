@@ -5,11 +5,13 @@
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "edge_root.hpp"
+#include "edge_table.hpp"
 #include "level_root.hpp"
 #include "triplex/certify/edge_side.hpp"
 
@@ -18,27 +20,16 @@ namespace {
 
 constexpr std::size_t kGrain = 256;
 
-using Ends = std::array<VertexId, 2>;
-
-/// The edges of active tets whose ends differ in some label, sorted, each once.
-std::vector<Ends> crossed_ends(const RefinedComplex& complex, const VertexLabels& labels,
-                               const std::vector<std::uint32_t>& active_leaves) {
-  tbb::enumerable_thread_specific<std::vector<Ends>> found;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, active_leaves.size(), kGrain),
-                    [&](const auto& range) {
-                      auto& mine = found.local();
-                      for (std::size_t n = range.begin(); n < range.end(); ++n) {
-                        const auto& v = complex.leaves[active_leaves[n]].vertices;
-                        for (int i = 0; i < 4; ++i)
-                          for (int j = i + 1; j < 4; ++j)
-                            if (!labels.agree(v[i], v[j])) mine.push_back({v[i], v[j]});
-                      }
-                    });
-  std::vector<Ends> all;
-  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
-  tbb::parallel_sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
+/// p and q of the deviator on an edge, in the units of the input.
+std::array<double, 2> invariants_at(const Simplex<2>& edge, double t) {
+  const auto& f = edge.approximate();
+  const double s = 1 - t;
+  const double P = s * s * f.p[0] + 2 * s * t * f.p[1] + t * t * f.p[2];
+  const double Q =
+      s * s * s * f.q[0] + 3 * s * s * t * f.q[1] + 3 * s * t * t * f.q[2] + t * t * t * f.q[3];
+  // P = 18 p and Q = 162 q of the field scaled by a power of two.
+  const int e = edge.field().scale_exponent();
+  return {std::ldexp(P / 18, -2 * e), std::ldexp(Q / 162, -3 * e)};
 }
 
 }  // namespace
@@ -48,15 +39,19 @@ EdgeCrossings::EdgeCrossings(const RefinedComplex& complex, const FeatureTable& 
                              const std::vector<std::uint32_t>& active_leaves, FeatureSet features,
                              SignStages& stages)
     : table_(table), labels_(labels) {
-  const std::vector<Ends> ends = crossed_ends(complex, labels, active_leaves);
-  edges_.resize(ends.size());
+  EdgeTable edge_table = crossed_edges(complex, labels, active_leaves);
+  first_edge_ = std::move(edge_table.first);
+  edges_.resize(edge_table.upper.size());
   tbb::enumerable_thread_specific<SignStages> stages_per_thread;
-  const tbb::blocked_range<std::size_t> all(0, ends.size(), kGrain);
+  const tbb::blocked_range<std::size_t> all(0, edges_.size(), kGrain);
+  const tbb::blocked_range<std::size_t> vertices(0, first_edge_.size() - 1, kGrain);
 
   // Rotations first, then room for the crossings, then their positions.
-  tbb::parallel_for(all, [&](const auto& range) {
-    for (std::size_t n = range.begin(); n < range.end(); ++n)
-      edges_[n] = classify(complex.field, ends[n], stages_per_thread.local());
+  tbb::parallel_for(vertices, [&](const auto& range) {
+    SignStages& mine = stages_per_thread.local();
+    for (std::size_t v = range.begin(); v < range.end(); ++v)
+      for (std::uint32_t n = first_edge_[v]; n < first_edge_[v + 1]; ++n)
+        edges_[n] = classify(complex.field, {VertexId(v), edge_table.upper[n]}, mine);
   });
   std::uint32_t count = 0;
   for (CrossedEdge& edge : edges_) {
@@ -69,14 +64,10 @@ EdgeCrossings::EdgeCrossings(const RefinedComplex& complex, const FeatureTable& 
       locate(complex.field, edges_[n], features);
   });
   for (const SignStages& s : stages_per_thread) stages += s;
-
-  first_edge_.assign(complex.field.vertex_count() + 1, 0);
-  for (const CrossedEdge& edge : edges_) first_edge_[index(edge.ends[0]) + 1] += 1;
-  for (std::size_t v = 1; v < first_edge_.size(); ++v) first_edge_[v] += first_edge_[v - 1];
 }
 
-CrossedEdge EdgeCrossings::classify(const RefinableField& field, const Ends& ends,
-                                    SignStages& stages) const {
+CrossedEdge EdgeCrossings::classify(const RefinableField& field,
+                                    const std::array<VertexId, 2>& ends, SignStages& stages) const {
   const auto [a, b] = ends;
   const Sector from = labels_.sector(a), to = labels_.sector(b);
   const auto rotation = rotation_along(field, a, b, from, to, table_, stages);
@@ -93,10 +84,14 @@ CrossedEdge EdgeCrossings::classify(const RefinableField& field, const Ends& end
 void EdgeCrossings::locate(const RefinableField& field, const CrossedEdge& edge,
                            FeatureSet features) {
   Crossing* crossing = &crossings_[edge.first];
-  const auto set = [&](Feature feature, const EdgeRoot& root) {
-    *crossing++ = {feature, root.t, root.error};
-  };
   const Simplex<2> simplex(field, edge.ends);
+  const Point a = field.position(edge.ends[0]), b = field.position(edge.ends[1]);
+  const auto set = [&](Feature feature, const EdgeRoot& root) {
+    const auto [p, q] = invariants_at(simplex, root.t);
+    *crossing = {feature, root.t, root.error, {}, p, q};
+    for (int k = 0; k < 3; ++k) crossing->position[k] = a[k] + root.t * (b[k] - a[k]);
+    ++crossing;
+  };
   for (int i = 0; i < edge.pages(); ++i) {
     const Feature page = page_crossed(table_, labels_.sector(edge.ends[0]), edge.rotation, i);
     set(page, contains(features, page) ? find_crossing(simplex, table_, page, edge.rotation > 0)
@@ -133,18 +128,8 @@ int EdgeCrossings::crossing_of(const CrossedEdge& edge, Feature feature) const {
 }
 
 bool EdgeCrossings::ascends(const CrossedEdge& edge, Feature feature) const {
-  if (contains(edge.levels, feature))
-    return contains(labels_.inside_of(edge.ends[0]), feature);
+  if (contains(edge.levels, feature)) return contains(labels_.inside_of(edge.ends[0]), feature);
   return edge.rotation > 0;
-}
-
-Point EdgeCrossings::position(const RefinedComplex& complex, std::size_t edge,
-                              const Crossing& crossing) const {
-  const Point a = complex.field.position(edges_[edge].ends[0]);
-  const Point b = complex.field.position(edges_[edge].ends[1]);
-  Point x;
-  for (int k = 0; k < 3; ++k) x[k] = a[k] + crossing.t * (b[k] - a[k]);
-  return x;
 }
 
 }  // namespace triplex

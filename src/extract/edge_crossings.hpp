@@ -17,6 +17,8 @@ struct Crossing {
   Feature feature{};
   double t = 0;      ///< along the edge from its lower to its higher end
   double error = 1;  ///< the root is proven to lie within t +- error; 1 if nothing is proven
+  Point position{};
+  double p = 0, q = 0;  ///< of the deviator there, in the units of the input
 };
 
 /// An edge of the refined mesh whose ends differ in their labels. Its crossings are the pages
@@ -42,6 +44,7 @@ class EdgeCrossings {
                 FeatureSet features, SignStages& stages);
 
   const FeatureTable& table() const { return table_; }
+  const VertexLabels& labels() const { return labels_; }
   const std::vector<CrossedEdge>& edges() const { return edges_; }
   const std::vector<Crossing>& crossings() const { return crossings_; }
   /// The edge between two vertices, or nullptr if it is not crossed. \pre a < b.
@@ -50,10 +53,9 @@ class EdgeCrossings {
   FeatureSet features_on(const CrossedEdge& edge) const;
   /// The crossing of a feature on an edge, or -1.
   int crossing_of(const CrossedEdge& edge, Feature feature) const;
-  /// Whether the edge, from its lower to its higher end, meets the feature in the sense in which its
-  /// surface is oriented: counter-clockwise; out of the convex set. \pre it crosses the edge.
+  /// Whether the edge, from its lower to its higher end, meets the feature in the sense in which
+  /// its surface is oriented: counter-clockwise; out of the convex set. \pre it crosses the edge.
   bool ascends(const CrossedEdge& edge, Feature feature) const;
-  Point position(const RefinedComplex& complex, std::size_t edge, const Crossing& crossing) const;
 
  private:
   CrossedEdge classify(const RefinableField& field, const std::array<VertexId, 2>& ends,

@@ -79,6 +79,22 @@ class PageFunction {
     return Certainty::Unknown;
   }
 
+  /// No sign can be proven nearer to a root than this: up to rounding, the evaluation's bound over
+  /// the largest slope. Saves questions; decides nothing.
+  double hopeless_distance(double t) const {
+    double dp = 0, dq = 0;
+    for (int i = 0; i < 2; ++i) dp = std::max(dp, 2 * std::fabs(f_.p[i + 1] - f_.p[i]));
+    for (int i = 0; i < 3; ++i) dq = std::max(dq, 3 * std::fabs(f_.q[i + 1] - f_.q[i]));
+    const bool balanced = kind_ == Sheet::Kind::Balanced;
+    const double bound = balanced ? bounds_.p_error : bounds_.q_error;
+    double slope = balanced ? dp : dq;
+    if (kind_ == Sheet::Kind::Curved) {
+      const double least = std::min({f_.p[0], f_.p[1], f_.p[2]});
+      slope += 3 * std::sqrt(std::max(0.0, -least) / 6) * dp;
+    }
+    return (bound - std::fabs((*this)(t))) / (2 * slope);
+  }
+
  private:
   Forms<double, 2> f_;
   FormBounds bounds_;
@@ -140,7 +156,8 @@ EdgeRoot find_crossing(const Simplex<2>& edge, const FeatureTable& table, Featur
   const auto [low, high] = part_of(edge, row);
   EdgeRoot root{bracketed_root(f, low, high), 1};
   if (edge.filter_usable())
-    root.error = certified_error([&](double t) { return f.sign_at(t); }, root.t, rising);
+    root.error = certified_error([&](double t) { return f.sign_at(t); }, root.t, rising,
+                                 f.hopeless_distance(root.t));
   if (root.error > kWidestBracket) {
     if (const auto exact = isolate(edge, row, table.sheet(page), root.t)) root = *exact;
   }

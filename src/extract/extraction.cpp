@@ -3,11 +3,12 @@
 #include "triplex/extract/extraction.hpp"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <chrono>
 
 #include "feature_mesh.hpp"
@@ -73,16 +74,34 @@ void open_unsettled(const EdgeCrossings& crossings, const FaceSpinePoints& spine
   }
 }
 
+/// std::popcount is a library call where the instruction may be missing; most sets are empty.
+unsigned count_bits(unsigned set) {
+  unsigned n = 0;
+  for (; set != 0; set &= set - 1) ++n;
+  return n;
+}
+
 CertificateCounts count_certificates(const RefinedComplex& complex, FeatureSet features) {
-  CertificateCounts counts;
-  for (const Leaf& leaf : complex.leaves) {
-    const unsigned requested = features;
-    counts.exclusion += std::popcount(requested & ~static_cast<unsigned>(leaf.graph | leaf.open));
-    counts.graph += std::popcount(static_cast<unsigned>(leaf.graph));
-    counts.unresolved += std::popcount(static_cast<unsigned>(leaf.open));
-    counts.spine += leaf.has_spine_proof;
-  }
-  return counts;
+  const auto add = [&](const auto& range, CertificateCounts counts) {
+    for (std::size_t n = range.begin(); n < range.end(); ++n) {
+      const Leaf& leaf = complex.leaves[n];
+      const unsigned requested = features;
+      counts.exclusion += count_bits(requested & ~static_cast<unsigned>(leaf.graph | leaf.open));
+      counts.graph += count_bits(leaf.graph);
+      counts.unresolved += count_bits(leaf.open);
+      counts.spine += leaf.has_spine_proof;
+    }
+    return counts;
+  };
+  const auto join = [](CertificateCounts a, const CertificateCounts& b) {
+    a.exclusion += b.exclusion;
+    a.graph += b.graph;
+    a.spine += b.spine;
+    a.unresolved += b.unresolved;
+    return a;
+  };
+  return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, complex.leaves.size(), 1u << 14),
+                              CertificateCounts{}, add, join);
 }
 
 /// The open leaves, gathered by tet of the input; the gravest obstacle names the reason.
@@ -148,7 +167,7 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
   const std::vector<std::uint32_t> active = active_leaves(complex, labels);
   SignStages stages = complex.sign_stages;
   const EdgeCrossings crossings(complex, options.table, labels, active, options.features, stages);
-  const FaceSpinePoints spine_points(complex, active, crossings);
+  const FaceSpinePoints spine_points(complex, labels, active, crossings);
   open_unsettled(crossings, spine_points, active, options.features, complex);
   report("mesh");
   result.table = options.table;

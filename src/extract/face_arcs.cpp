@@ -79,6 +79,20 @@ SpinePoint locate(const RefinableField& field, const std::array<VertexId, 3>& fa
   return {face, kStarts[0], false};
 }
 
+/// p, or q, has one sign at all vertices. Rotations between such sectors are differences of angles
+/// in a half plane, so they add up to zero around every face.
+bool stays_in_half_plane(const std::array<VertexId, 4>& v, const VertexLabels& labels,
+                         const FeatureTable& table) {
+  bool same_p = true, same_q = true;
+  const Sector first = labels.sector(v[0]);
+  for (int i = 1; i < 4; ++i) {
+    const Sector other = labels.sector(v[i]);
+    same_p &= table.sign_p(other) == table.sign_p(first);
+    same_q &= table.sign_q(other) == table.sign_q(first);
+  }
+  return same_p || same_q;
+}
+
 }  // namespace
 
 int winding(const EdgeCrossings& crossings, VertexId a, VertexId b, VertexId c) {
@@ -87,7 +101,7 @@ int winding(const EdgeCrossings& crossings, VertexId a, VertexId b, VertexId c) 
          crossings.table().page_count();
 }
 
-FaceSpinePoints::FaceSpinePoints(const RefinedComplex& complex,
+FaceSpinePoints::FaceSpinePoints(const RefinedComplex& complex, const VertexLabels& labels,
                                  const std::vector<std::uint32_t>& active_leaves,
                                  const EdgeCrossings& crossings) {
   using Face = std::array<VertexId, 3>;
@@ -97,6 +111,7 @@ FaceSpinePoints::FaceSpinePoints(const RefinedComplex& complex,
                       auto& mine = found.local();
                       for (std::size_t n = range.begin(); n < range.end(); ++n) {
                         const auto& v = complex.leaves[active_leaves[n]].vertices;
+                        if (stays_in_half_plane(v, labels, crossings.table())) continue;
                         for (int omit = 0; omit < 4; ++omit) {
                           Face face;
                           for (int i = 0, k = 0; i < 4; ++i)

@@ -20,8 +20,8 @@ struct SpinePoint {
 /// All faces of active tets around which (p, q) winds, each once, with their points.
 class FaceSpinePoints {
  public:
-  FaceSpinePoints(const RefinedComplex& complex, const std::vector<std::uint32_t>& active_leaves,
-                  const EdgeCrossings& crossings);
+  FaceSpinePoints(const RefinedComplex& complex, const VertexLabels& labels,
+                  const std::vector<std::uint32_t>& active_leaves, const EdgeCrossings& crossings);
   const std::vector<SpinePoint>& points() const { return points_; }
   /// The number of the point on a face, or -1. \pre the vertices ascend.
   int find(const std::array<VertexId, 3>& face) const;

@@ -20,20 +20,6 @@ double squared_distance(const Point& a, const Point& b) {
   return s;
 }
 
-/// p and q of the deviator where a point of an edge lies, in the units of the input.
-std::array<double, 2> invariants_on_edge(const RefinableField& field, const CrossedEdge& edge,
-                                         double t) {
-  const Simplex<2> simplex(field, edge.ends);
-  const auto& f = simplex.approximate();
-  const double s = 1 - t;
-  const double P = s * s * f.p[0] + 2 * s * t * f.p[1] + t * t * f.p[2];
-  const double Q =
-      s * s * s * f.q[0] + 3 * s * s * t * f.q[1] + 3 * s * t * t * f.q[2] + t * t * t * f.q[3];
-  // P = 18 p and Q = 162 q of the field scaled by a power of two.
-  const int e = field.scale_exponent();
-  return {std::ldexp(P / 18, -2 * e), std::ldexp(Q / 162, -3 * e)};
-}
-
 /// p, q and mode with the values that the feature has by definition put in.
 std::array<double, 3> on_feature(const FeatureTable& table, Feature feature, double p, double q) {
   const FeatureRow& row = table.row(feature);
@@ -180,7 +166,7 @@ FeatureMesh FeatureMeshBuilder::assemble(Feature feature, const std::vector<Cell
 
 Point FeatureMeshBuilder::position(const PatchVertex& v) const {
   if (v.on_spine) return spine_points_.position(complex_, spine_points_.points()[v.number]);
-  return crossings_.position(complex_, edge_of_[v.number], crossings_.crossings()[v.number]);
+  return crossings_.crossings()[v.number].position;
 }
 
 void FeatureMeshBuilder::add_vertex(Feature feature, const PatchVertex& v,
@@ -194,9 +180,8 @@ void FeatureMeshBuilder::add_vertex(Feature feature, const PatchVertex& v,
 }
 
 std::array<double, 3> FeatureMeshBuilder::invariants(Feature feature, const PatchVertex& v) const {
-  const auto [p, q] = invariants_on_edge(complex_.field, crossings_.edges()[edge_of_[v.number]],
-                                         crossings_.crossings()[v.number].t);
-  return on_feature(table_, feature, p, q);
+  const Crossing& crossing = crossings_.crossings()[v.number];
+  return on_feature(table_, feature, crossing.p, crossing.q);
 }
 
 /// The tensors at the corners of the vertex's edge or face, weighted like its position.

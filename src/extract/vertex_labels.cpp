@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vertex_labels.hpp"
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
 #include "triplex/certify/vertex.hpp"
 
 namespace triplex {
@@ -20,12 +24,18 @@ VertexLabels labels_of(const RefinedComplex& complex, const FeatureTable& table)
 
 std::vector<std::uint32_t> active_leaves(const RefinedComplex& complex,
                                          const VertexLabels& labels) {
+  constexpr std::size_t kChunk = 1u << 15;
+  std::vector<std::vector<std::uint32_t>> parts((complex.leaves.size() + kChunk - 1) / kChunk);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+    const std::size_t end = std::min((part + 1) * kChunk, complex.leaves.size());
+    for (std::size_t n = part * kChunk; n < end; ++n) {
+      const auto& v = complex.leaves[n].vertices;
+      if (!labels.agree(v[0], v[1]) || !labels.agree(v[0], v[2]) || !labels.agree(v[0], v[3]))
+        parts[part].push_back(static_cast<std::uint32_t>(n));
+    }
+  });
   std::vector<std::uint32_t> active;
-  for (std::size_t n = 0; n < complex.leaves.size(); ++n) {
-    const auto& v = complex.leaves[n].vertices;
-    if (!labels.agree(v[0], v[1]) || !labels.agree(v[0], v[2]) || !labels.agree(v[0], v[3]))
-      active.push_back(static_cast<std::uint32_t>(n));
-  }
+  for (const auto& part : parts) active.insert(active.end(), part.begin(), part.end());
   return active;
 }
 

@@ -8,21 +8,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <cstdlib>
 
 namespace triplex {
 namespace {
 
 double largest_entry(const Tensor<double>& t) {
   double m = 0;
-  for (const double x : t) m = std::fmax(m, std::fabs(x));
+  for (const double x : t) m = std::max(m, std::fabs(x));
   return m;
 }
 
 /// The exponent that brings the largest entry of the field into [1/2, 1); 0 for a zero field.
 int common_scale(const std::vector<Tensor<double>>& tensors) {
   double m = 0;
-  for (const auto& t : tensors) m = std::fmax(m, largest_entry(t));
+  for (const auto& t : tensors) m = std::max(m, largest_entry(t));
   int exponent = 0;
   if (m > 0) std::frexp(m, &exponent);
   return -exponent;
@@ -37,7 +37,11 @@ constexpr double kUnderflow = 0x1p-1070;
 /// is, and below gamma(4) times the largest computed entry.
 ApproximateTensor approximate_input(const Tensor<double>& tensor, int exponent) {
   Tensor<double> scaled;
-  for (int i = 0; i < 9; ++i) scaled[i] = std::ldexp(tensor[i], exponent);
+  // A product with a power of two is rounded as ldexp rounds, and is no call.
+  const bool is_normal = std::abs(exponent) <= 1000;
+  const double factor = is_normal ? std::ldexp(1.0, exponent) : 1;
+  for (int i = 0; i < 9; ++i)
+    scaled[i] = is_normal ? factor * tensor[i] : std::ldexp(tensor[i], exponent);
   ApproximateTensor r;
   r.a = triple_deviator(scaled);
   r.bounds.magnitude = largest_entry(r.a);
@@ -50,10 +54,19 @@ ApproximateTensor approximate_input(const Tensor<double>& tensor, int exponent) 
 RefinableField::RefinableField(const TensorField& field)
     : field_(&field), input_of_(field.mesh.points.size()) {
   const auto& points = field.mesh.points;
-  std::iota(input_of_.begin(), input_of_.end(), 0u);
-  tbb::parallel_sort(input_of_.begin(), input_of_.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return points[a] != points[b] ? points[a] < points[b] : a < b;  // equal: unused points only
+  // Points beside their ids, so that comparing them does not jump through memory.
+  struct Numbered {
+    Point point;
+    std::uint32_t id;
+  };
+  std::vector<Numbered> sorted(points.size());
+  for (std::uint32_t i = 0; i < sorted.size(); ++i) sorted[i] = {points[i], i};
+  tbb::parallel_sort(sorted.begin(), sorted.end(), [](const Numbered& a, const Numbered& b) {
+    for (int k = 0; k < 3; ++k)
+      if (a.point[k] != b.point[k]) return a.point[k] < b.point[k];
+    return a.id < b.id;  // equal: unused points only
   });
+  for (std::size_t i = 0; i < sorted.size(); ++i) input_of_[i] = sorted[i].id;
   std::vector<VertexId> rank(points.size());
   for (std::size_t i = 0; i < input_of_.size(); ++i) rank[input_of_[i]] = VertexId(i);
 
@@ -124,6 +137,14 @@ Point RefinableField::position(VertexId v) const {
     for (int k = 0; k < 3; ++k) x[k] += weight * corner[k];
   }
   return {static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2])};
+}
+
+std::vector<VertexId> RefinableField::corners(VertexId v) const {
+  const Combination c = combination(v);
+  std::vector<VertexId> r;
+  for (int i = 0; i < 4; ++i)
+    if (c.numerators[i] != 0) r.push_back(c.vertices[i]);
+  return r;
 }
 
 std::optional<VertexId> RefinableField::add_midpoint(VertexId a, VertexId b) {

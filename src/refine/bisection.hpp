@@ -30,6 +30,7 @@ class MarkedEdges {
   MarkedEdges(std::vector<Mark> marks, RefinableField& field);
 
   std::size_t size() const { return by_edge_.size(); }
+  const std::vector<Entry>& entries() const { return by_edge_; }
   bool touches(const Leaf& leaf) const {
     int touched = 0;
     for (const VertexId v : leaf.vertices) touched += is_end(v);

@@ -7,8 +7,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "bisection.hpp"
+#include "leaf_lookup.hpp"
+#include "triplex/certify/sweep.hpp"
 
 namespace triplex {
 namespace {
@@ -23,6 +26,8 @@ class Refinement {
   Refinement(const TensorField& input, const RefineOptions& options)
       : options_(options),
         level_sets_(options.features & options.table.level_sets()),
+        sweeps_((options.features & ~kStandardSet) == 0 &&
+                options.table.page_count() == kStandardPages),
         complex_(input),
         spent_(input.mesh.tets.size(), 0) {}
 
@@ -42,6 +47,12 @@ class Refinement {
   }
 
  private:
+  /// The edge that an open leaf would bisect.
+  struct Wish {
+    std::uint32_t leaf;
+    Mark mark;
+  };
+
   /// Vertices ascending; every swap flips the orientation, which the input check made positive.
   void place_input_tets() {
     const auto& tets = complex_.field.input_tets();
@@ -72,32 +83,31 @@ class Refinement {
     const bool pages = options_.features != level_sets_;
     complex_.sectors.resize(count, pages ? kOpenSector : 0);
     if (level_sets_ != 0) complex_.sides.resize(count);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(first, count, kGrain),
-                      [&](const auto& range) {
-                        SignStages& stages = stages_.local();
-                        for (std::size_t v = range.begin(); v < range.end(); ++v) {
-                          const auto sector =
-                              pages ? sector_at(complex_.field, VertexId(v), options_.table, stages)
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(first, count, kGrain), [&](const auto& range) {
+          SignStages& stages = stages_.local();
+          for (std::size_t v = range.begin(); v < range.end(); ++v) {
+            const auto sector = pages
+                                    ? sector_at(complex_.field, VertexId(v), options_.table, stages)
                                     : std::nullopt;
-                          if (sector) complex_.sectors[v] = static_cast<std::uint8_t>(*sector);
-                          if (level_sets_ != 0)
-                            complex_.sides[v] = sides_at(complex_.field, VertexId(v),
-                                                         options_.table, level_sets_, stages);
-                        }
-                      });
+            if (sector) complex_.sectors[v] = static_cast<std::uint8_t>(*sector);
+            if (level_sets_ != 0)
+              complex_.sides[v] =
+                  sides_at(complex_.field, VertexId(v), options_.table, level_sets_, stages);
+          }
+        });
   }
 
   /// Certifies the pending tets; returns the edges that open ones ask to bisect.
   std::vector<Mark> certify_pending() {
-    wishes_.resize(pending_.size());
     for (std::size_t start = 0; start < pending_.size(); start += kSlice) {
       if (options_.interrupted && options_.interrupted->load()) throw RefinementInterrupted{};
       const std::size_t end = std::min(start + kSlice, pending_.size());
       tbb::parallel_for(tbb::blocked_range<std::size_t>(start, end, kGrain),
                         [&](const auto& range) {
                           SignStages& stages = stages_.local();
-                          for (std::size_t n = range.begin(); n < range.end(); ++n)
-                            wishes_[n] = certify(n, stages);
+                          for (std::size_t n = range.begin(); n < range.end(); n += kSweepBlock)
+                            certify_block(n, std::min(n + kSweepBlock, range.end()), stages);
                         });
       if (options_.progress) options_.progress(progress(end));
     }
@@ -108,7 +118,30 @@ class Refinement {
                                : static_cast<double>(done) / static_cast<double>(pending_.size());
   }
 
-  Mark certify(std::size_t n, SignStages& stages) {
+  /// The sweep first; one by one only the tets that it leaves.
+  void certify_block(std::size_t begin, std::size_t end, SignStages& stages) {
+    std::array<std::array<VertexId, 4>, kSweepBlock> cells;
+    std::array<SweptCell, kSweepBlock> swept;
+    const std::size_t count = end - begin;
+    for (std::size_t i = 0; i < count; ++i)
+      cells[i] = complex_.leaves[pending_[begin + i]].vertices;
+    if (sweeps_)
+      sweep_cells(complex_.field, std::span(cells).first(count), complex_.sectors,
+                  options_.features, std::span(swept).first(count), stages);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!swept[i].settled) {
+        certify(begin + i, stages);
+        continue;
+      }
+      Leaf& leaf = complex_.leaves[pending_[begin + i]];
+      leaf.graph = swept[i].graph;
+      leaf.open = 0;
+      leaf.has_spine_proof = false;
+      leaf.obstacle = Obstacle::None;
+    }
+  }
+
+  void certify(std::size_t n, SignStages& stages) {
     Leaf& leaf = complex_.leaves[pending_[n]];
     CellCertificate certificate;
     if (const FeatureSet book = options_.features & ~level_sets_; book != 0)
@@ -121,7 +154,8 @@ class Refinement {
     leaf.open = certificate.open;
     leaf.has_spine_proof = certificate.has_spine_proof;
     leaf.obstacle = certificate.obstacle;
-    return {certificate.edge, certificate.variation};
+    if (certificate.open != 0 && certificate.obstacle != Obstacle::Vertex)
+      wishes_.local().push_back({pending_[n], {certificate.edge, certificate.variation}});
   }
 
   /// A tet may ask as long as its input tet had budget left when the round began.
@@ -131,14 +165,17 @@ class Refinement {
       complex_.hit_size_limit = true;
       return marks;
     }
-    const std::vector<std::uint32_t> spent_before = spent_;
-    for (std::size_t n = 0; n < pending_.size(); ++n) {
-      const Leaf& leaf = complex_.leaves[pending_[n]];
-      if (leaf.open == 0 || leaf.obstacle == Obstacle::Vertex) continue;
-      if (spent_before[index(leaf.input)] >= options_.max_bisections) continue;
-      spent_[index(leaf.input)] += 1;
-      marks.push_back(wishes_[n]);
+    std::vector<TetId> asking;
+    for (auto& wishes : wishes_) {
+      for (const Wish& wish : wishes) {
+        const TetId tet = complex_.leaves[wish.leaf].input;
+        if (spent_[index(tet)] >= options_.max_bisections) continue;
+        asking.push_back(tet);
+        marks.push_back(wish.mark);
+      }
+      wishes.clear();
     }
+    for (const TetId tet : asking) spent_[index(tet)] += 1;
     return marks;
   }
 
@@ -147,36 +184,30 @@ class Refinement {
     const MarkedEdges marked(std::move(marks), complex_.field);
     complex_.bisections += marked.size();
 
-    touched_.assign(complex_.leaves.size(), 0);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, touched_.size(), 4096),
-                      [&](const auto& range) {
-                        for (std::size_t n = range.begin(); n < range.end(); ++n) {
-                          const Leaf& leaf = complex_.leaves[n];
-                          touched_[n] = marked.touches(leaf) && marked.first_in(leaf) != nullptr;
-                        }
-                      });
+    if (!lookup_) lookup_.emplace(complex_.field);
     std::vector<Leaf> parts;
-    for (std::size_t n = 0; n < touched_.size(); ++n) {
-      if (!touched_[n]) continue;
+    for (const std::uint32_t n : lookup_->leaves_with(marked, complex_.field, complex_.leaves)) {
       parts.clear();
       bisect(complex_.leaves[n], marked, parts);
       complex_.leaves[n] = parts.front();
-      pending_.push_back(static_cast<std::uint32_t>(n));
+      pending_.push_back(n);
       for (std::size_t i = 1; i < parts.size(); ++i) {
         pending_.push_back(static_cast<std::uint32_t>(complex_.leaves.size()));
         complex_.leaves.push_back(parts[i]);
+        lookup_->add_leaf(n);
       }
     }
   }
 
   const RefineOptions& options_;
   const FeatureSet level_sets_;  // requested
+  const bool sweeps_;            // the sweep knows all that is requested
   RefinedComplex complex_;
   StagesPerThread stages_;
   std::vector<std::uint32_t> spent_;    // bisections asked for, per input tet
   std::vector<std::uint32_t> pending_;  // leaves without a current certificate
-  std::vector<Mark> wishes_;            // per pending leaf: the edge it would bisect
-  std::vector<std::uint8_t> touched_;
+  tbb::enumerable_thread_specific<std::vector<Wish>> wishes_;  // in any order: marks are sorted
+  std::optional<LeafLookup> lookup_;                           // from the first bisection on
 };
 
 }  // namespace

@@ -39,14 +39,17 @@ struct EntryBounds {
 ///      error <= 36 gamma(12) M^3, plus 36 ((M+e)^3 - M^3) <= 36 (3 + 2^-8) M^2 e.
 /// The magnitudes bound the computed coefficients; a simplex replaces them by the largest it has.
 /// Source: proofs/filter.md.
-struct FormBounds {
-  double p_magnitude = 0, p_error = 0;
-  double q_magnitude = 0, q_error = 0;
+/// `Real` is double, or several doubles that take the same steps.
+template <class Real>
+struct FormBoundsOf {
+  Real p_magnitude{0.0}, p_error{0.0};
+  Real q_magnitude{0.0}, q_error{0.0};
 
-  FormBounds() = default;
-  explicit FormBounds(const EntryBounds& entries) {
-    const double m = entries.magnitude;
-    const double e = entries.error;
+  FormBoundsOf() = default;
+  explicit FormBoundsOf(const EntryBounds& entries)
+      : FormBoundsOf(Real(entries.magnitude), Real(entries.error)) {}
+  /// From the magnitude m and the error e of the entries.
+  FormBoundsOf(const Real& m, const Real& e) {
     constexpr double kSlack = 1 + 0x1p-20;
     p_magnitude = 9 * m * m * kSlack;
     p_error = 9 * gamma(9) * m * m + 9 * (2 + 0x1p-9) * m * e;
@@ -54,5 +57,6 @@ struct FormBounds {
     q_error = 36 * gamma(12) * m * m * m + 36 * (3 + 0x1p-7) * m * m * e;
   }
 };
+using FormBounds = FormBoundsOf<double>;
 
 }  // namespace triplex

@@ -48,6 +48,10 @@ class RefinableField {
   /// log2 of the factor that `approximate` was multiplied by.
   int scale_exponent() const { return scale_exponent_; }
 
+  /// The vertices of the input that a vertex is combined of: the corners of the smallest face of
+  /// the input that holds it.
+  std::vector<VertexId> corners(VertexId v) const;
+
   /// The midpoint of two vertices of one tet, as a new vertex; nothing when 2^-kMaxDepth is
   /// reached.
   std::optional<VertexId> add_midpoint(VertexId a, VertexId b);
