@@ -10,6 +10,7 @@
 #include "command.hpp"
 #include "feature_list.hpp"
 #include "interrupt.hpp"
+#include "periodic_option.hpp"
 #include "progress.hpp"
 #include "reading_options.hpp"
 #include "report.hpp"
@@ -46,14 +47,19 @@ Extraction extract_with_progress(const TensorField& field, const ExtractRequest&
   options.table = requested.table;
   options.features = requested.set;
   options.keep_tensors = !request.arrays.empty();
+  options.periodic = parse_axes(request.periodic);
   options.max_bisections = request.max_bisections;
   options.threads = request.threads;
   options.progress = [&](std::string_view step, double done) { steps.progress.show(step, done); };
   options.interrupted = &interrupted();
-  Extraction extraction = extract(field, options);
-  steps.step.lap();  // timed inside
-  throw_if_interrupted();
-  return extraction;
+  try {
+    Extraction extraction = extract(field, options);
+    steps.step.lap();  // timed inside
+    throw_if_interrupted();
+    return extraction;
+  } catch (const BadInput& error) {
+    throw BadInput(request.field + ": " + error.what());
+  }
 }
 
 std::vector<PointValues> evaluate_arrays(const FeatureMesh& mesh,
@@ -162,6 +168,8 @@ void add_extract(CLI::App& program, Action& action) {
       ->delimiter(',')
       ->type_name("A,B,...")
       ->default_str("vtp");
+  add_periodic_option(*command, request->periodic,
+                      "Opposite sides across these axes are one; their tensors must be equal");
   command
       ->add_option("--max-bisections", request->max_bisections,
                    "Bisections that one tet may ask for before it is listed as unresolved")
@@ -184,6 +192,7 @@ void add_extract(CLI::App& program, Action& action) {
   command->callback([request, formats, &action] {
     resolve(request->features);  // what is wrong with it is better known before the work
     check_array_names(request->arrays);
+    parse_axes(request->periodic);
     if (!formats->empty()) request->formats = parse_formats(*formats);
     action = [request] { return run_extract(*request); };
   });

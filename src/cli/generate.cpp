@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "periodic_option.hpp"
 #include "triplex/field/generators.hpp"
 #include "triplex/io/write_field.hpp"
 
@@ -23,7 +24,8 @@ struct GenerateRequest {
   GridOptions grid;
   LorenzParameters lorenz;
   bool lorenz_given = false;
-  std::string constant;  // nine numbers
+  std::string constant;               // nine numbers
+  std::vector<std::string> periodic;  // axes
 };
 
 std::string generator_list() {
@@ -51,9 +53,16 @@ Tensor<double> parse_tensor(const std::string& text) {
   return tensor;
 }
 
-TensorField generate(GenerateRequest& request) {
+TensorField generate(const GenerateRequest& request) {
   const GeneratorRow* const generator = generator_named(request.name);
-  if (generator == nullptr) {
+  if (request.name == "lorenz") return generate_lorenz(request.grid, request.lorenz);
+  if (request.constant.empty()) return generator->generate(request.grid);
+  return generate_constant(request.grid, parse_tensor(request.constant));
+}
+
+// Refuses what does not fit together, and puts the grid's options in place.
+void prepare(GenerateRequest& request) {
+  if (generator_named(request.name) == nullptr) {
     std::vector<std::string_view> names;
     for (const GeneratorRow& row : generator_table()) names.push_back(row.name);
     throw UsageError(
@@ -64,18 +73,19 @@ TensorField generate(GenerateRequest& request) {
     request.grid.box = Box{{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
   }
   request.grid.split = request.split == 5 ? CellSplit::Five : CellSplit::Six;
-  if (request.name == "lorenz") return generate_lorenz(request.grid, request.lorenz);
-  if (request.lorenz_given) throw UsageError("--sigma, --rho and --beta are for lorenz only");
-  if (request.constant.empty()) return generator->generate(request.grid);
-  if (request.name != "constant") throw UsageError("--tensor-value is for constant only");
-  return generate_constant(request.grid, parse_tensor(request.constant));
+  if (request.lorenz_given && request.name != "lorenz")
+    throw UsageError("--sigma, --rho and --beta are for lorenz only");
+  if (!request.constant.empty() && request.name != "constant")
+    throw UsageError("--tensor-value is for constant only");
 }
 
 ExitCode run_generate(GenerateRequest& request) {
   if (!can_write_field(request.output)) {
     throw UsageError("the output file must end in .vtu or .vtk, not be " + request.output);
   }
-  const TensorField field = generate(request);
+  prepare(request);
+  TensorField field = generate(request);
+  make_periodic(field, request.grid.n, parse_axes(request.periodic));
   write_field(request.output, field);
   fmt::print("{}: {} tets, {} vertices\n", request.output, field.mesh.tets.size(),
              field.mesh.points.size());
@@ -97,6 +107,8 @@ void add_grid_options(CLI::App* command, GenerateRequest& request) {
       ->capture_default_str();
   command->add_option("--seed", request.grid.seed, "Of the jitter and of random fields")
       ->capture_default_str();
+  add_periodic_option(*command, request.periodic,
+                      "The upper sides across these axes get the tensors of the lower ones");
   command->add_option("--split", request.split, "Tets per grid cell: 5 or 6")
       ->check(CLI::IsMember({5, 6}))
       ->type_name("K")

@@ -56,6 +56,7 @@ Json options_json(const ExtractRequest& request) {
   add_to_json(request.features, json);
   json.update({{"arrays", request.arrays},
                {"formats", formats},
+               {"periodic", request.periodic},
                {"max_bisections", request.max_bisections},
                {"threads", request.threads},
                {"tensor", request.reading.tensor_name},
@@ -108,6 +109,21 @@ Json unresolved_json(const Extraction& extraction) {
   return json;
 }
 
+/// Cells over the distinct points of a mesh: periodic copies are one.
+template <std::size_t N>
+struct Glued {
+  std::vector<std::array<std::uint32_t, N>> cells;
+  std::size_t points = 0;
+};
+template <std::size_t N>
+Glued<N> glue(const std::vector<std::array<std::uint32_t, N>>& cells, const FeatureMesh& mesh) {
+  Glued<N> glued{cells, mesh.points.size()};
+  if (mesh.identified.empty()) return glued;
+  for (auto& cell : glued.cells)
+    for (std::uint32_t& v : cell) v = mesh.identified[v];
+  return glued;
+}
+
 }  // namespace
 
 FeatureSummaries summarize(const Extraction& extraction) {
@@ -116,10 +132,12 @@ FeatureSummaries summarize(const Extraction& extraction) {
     const FeatureMesh& mesh = extraction.mesh(f);
     FeatureSummary& summary = summaries[index(f)];
     if (f == Feature::TripleCurve) {
-      summary.curve = curve_topology(mesh.segments, mesh.points.size());
+      const auto glued = glue(mesh.segments, mesh);
+      summary.curve = curve_topology(glued.cells, glued.points);
       summary.measure = length_approx(mesh.points, mesh.segments);
     } else {
-      summary.surface = surface_topology(mesh.triangles, mesh.points.size());
+      const auto glued = glue(mesh.triangles, mesh);
+      summary.surface = surface_topology(glued.cells, glued.points);
       summary.measure = area_approx(mesh.points, mesh.triangles);
     }
     summary.unresolved = static_cast<std::uint64_t>(

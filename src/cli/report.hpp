@@ -41,6 +41,7 @@ struct ExtractRequest {
   FeatureRequest features;
   std::vector<std::string> arrays;                       ///< names of further point arrays
   std::vector<MeshFormat> formats = {MeshFormat::Vtp};
+  std::vector<std::string> periodic;  ///< axes
   std::uint32_t max_bisections = 0;
   unsigned threads = 0;
   bool quiet = false;

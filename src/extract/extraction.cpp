@@ -143,6 +143,7 @@ RefineOptions refine_options(const TensorField& field, const ExtractionOptions& 
   RefineOptions r;
   r.table = options.table;
   r.features = options.features;
+  r.periodic = options.periodic;
   r.max_bisections = options.max_bisections;
   r.max_tets = kGrowth * field.mesh.tets.size() + kRoom;
   r.interrupted = options.interrupted;

@@ -149,6 +149,19 @@ FeatureMesh FeatureMeshBuilder::assemble(Feature feature, const std::vector<Cell
   number_used(of_crossing, false);
   number_used(of_spine, true);
 
+  if (!complex_.copies.empty()) {
+    mesh.identified.resize(mesh.points.size());
+    const auto identify = [&](const std::vector<std::uint32_t>& numbers, bool on_spine) {
+      for (std::uint32_t n = 0; n < numbers.size(); ++n) {
+        if (numbers[n] == kUnused) continue;
+        const std::uint32_t copy = slot(lowest_copy(feature, {n, on_spine}));
+        mesh.identified[numbers[n]] = copy == kUnused ? numbers[n] : copy;
+      }
+    };
+    identify(of_crossing, false);
+    identify(of_spine, true);
+  }
+
   (is_curve ? mesh.segments.reserve(cells) : mesh.triangles.reserve(cells));
   for (const Cells& part : parts)
     for (const Cell& cell : part[f]) {
@@ -202,6 +215,20 @@ Tensor<double> FeatureMeshBuilder::tensor(const PatchVertex& v) const {
     add(ends[1], t);
   }
   return sum;
+}
+
+/// The vertex of the lowest periodic copy of the edge or face that a vertex lies on; itself, if that
+/// is none of the mesh.
+PatchVertex FeatureMeshBuilder::lowest_copy(Feature feature, const PatchVertex& v) const {
+  int number = -1;
+  if (v.on_spine) {
+    number = spine_points_.find(complex_.copies.lowest(spine_points_.points()[v.number].face));
+  } else {
+    const auto ends = complex_.copies.lowest(crossings_.edges()[edge_of_[v.number]].ends);
+    if (const CrossedEdge* edge = crossings_.find(ends[0], ends[1]))
+      number = crossings_.crossing_of(*edge, feature);
+  }
+  return number < 0 ? v : PatchVertex{static_cast<std::uint32_t>(number), v.on_spine};
 }
 
 std::int64_t FeatureMeshBuilder::source_cell(TetId tet) const {

@@ -38,6 +38,7 @@ class FeatureMeshBuilder {
   void add_vertex(Feature feature, const PatchVertex& v, FeatureMesh& mesh) const;
   std::array<double, 3> invariants(Feature feature, const PatchVertex& v) const;
   Tensor<double> tensor(const PatchVertex& v) const;
+  PatchVertex lowest_copy(Feature feature, const PatchVertex& v) const;
   std::int64_t source_cell(TetId tet) const;
 
   const TensorField& input_;

@@ -33,8 +33,16 @@ TensorField sample(const GridOptions& options, const Box& box, const TensorAt& t
   return field;
 }
 
-/// Copies the tensors of the lower sides to the upper sides along the axes that are periodic.
-void copy_opposite_faces(TensorField& field, int n, const std::array<bool, 3>& periodic) {
+constexpr Box kLorenzBox{{-30, -30, 0}, {30, 30, 60}};
+constexpr Box kAbcBox{{0, 0, 0}, {2 * kPi, 2 * kPi, 2 * kPi}};
+constexpr Box kRayleighBenardBox{{0, 0, 0}, {2, 1, 1}};
+constexpr Box kRandomLinearBox{{-1, -1, -1}, {1, 1, 1}};
+constexpr Box kConstantBox{{0, 0, 0}, {1, 1, 1}};
+constexpr Box kNoiseBox{{0, 0, 0}, {1, 1, 1}};
+
+}  // namespace
+
+void make_periodic(TensorField& field, int n, const PeriodicAxes& periodic) {
   const auto id = [&](int i, int j, int k) {
     return (static_cast<std::size_t>(k) * (n + 1) + j) * (n + 1) + i;
   };
@@ -47,15 +55,6 @@ void copy_opposite_faces(TensorField& field, int n, const std::array<bool, 3>& p
     }
   }
 }
-
-constexpr Box kLorenzBox{{-30, -30, 0}, {30, 30, 60}};
-constexpr Box kAbcBox{{0, 0, 0}, {2 * kPi, 2 * kPi, 2 * kPi}};
-constexpr Box kRayleighBenardBox{{0, 0, 0}, {2, 1, 1}};
-constexpr Box kRandomLinearBox{{-1, -1, -1}, {1, 1, 1}};
-constexpr Box kConstantBox{{0, 0, 0}, {1, 1, 1}};
-constexpr Box kNoiseBox{{0, 0, 0}, {1, 1, 1}};
-
-}  // namespace
 
 Tensor<double> lorenz_gradient(const Point& x, const LorenzParameters& f) {
   return {-f.sigma, f.sigma, 0, f.rho - x[2], -1, -x[0], x[1], x[0], -f.beta};
@@ -78,7 +77,7 @@ TensorField generate_abc(const GridOptions& options, const AbcParameters& parame
   const Box box = options.box.value_or(kAbcBox);
   std::array<bool, 3> periodic;
   for (int k = 0; k < 3; ++k) periodic[k] = box.hi[k] - box.lo[k] == 2 * kPi;
-  copy_opposite_faces(field, options.n, periodic);
+  make_periodic(field, options.n, periodic);
   return field;
 }
 

@@ -86,6 +86,12 @@ RefinableField::RefinableField(const TensorField& field)
   });
 }
 
+std::vector<VertexId> RefinableField::vertices_of_input() const {
+  std::vector<VertexId> vertex(input_of_.size());
+  for (std::size_t i = 0; i < input_of_.size(); ++i) vertex[input_of_[i]] = VertexId(i);
+  return vertex;
+}
+
 RefinableField::Combination RefinableField::combination(VertexId v) const {
   if (!is_input(v)) return midpoints_[index(v) - input_of_.size()];
   return {{v}, {1}, 0};

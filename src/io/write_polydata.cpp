@@ -40,6 +40,7 @@ void check_arrays(const FeatureMesh& mesh, std::span<const PointValues> extra) {
   const std::size_t points = mesh.points.size();
   const std::size_t cells = mesh.segments.size() + mesh.triangles.size();
   if (mesh.p.size() != points || mesh.q.size() != points || mesh.mode.size() != points ||
+      (!mesh.identified.empty() && mesh.identified.size() != points) ||
       mesh.source_cell.size() != cells || mesh.certified.size() != cells ||
       std::ranges::any_of(extra, [points](const PointValues& array) {
         return array.values.size() != points * static_cast<std::size_t>(array.components);
@@ -61,6 +62,10 @@ void write_polydata(const std::filesystem::path& file, const FeatureMesh& mesh, 
   add_point_array("mode", mesh.mode);
   add_point_array("p", mesh.p);
   add_point_array("q", mesh.q);
+  const std::vector<std::int64_t> identified(mesh.identified.begin(), mesh.identified.end());
+  if (!mesh.identified.empty())
+    data->GetPointData()->AddArray(
+        detail::to_vtk_array("PeriodicPoint", identified.data(), identified.size()));
   for (const PointValues& array : extra)
     data->GetPointData()->AddArray(detail::to_vtk_array(array.name, array.values.data(),
                                                         mesh.points.size(), array.components));

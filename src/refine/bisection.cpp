@@ -26,18 +26,21 @@ MarkedEdges::MarkedEdges(std::vector<Mark> marks, RefinableField& field) {
             [](const Entry& a, const Entry& b) { return a.edge < b.edge; });
 }
 
+const MarkedEdges::Entry* MarkedEdges::find(const std::array<VertexId, 2>& edge) const {
+  const auto found = std::lower_bound(by_edge_.begin(), by_edge_.end(), edge,
+                                      [](const Entry& e, const auto& key) { return e.edge < key; });
+  return found != by_edge_.end() && found->edge == edge ? &*found : nullptr;
+}
+
 const MarkedEdges::Entry* MarkedEdges::first_in(const Leaf& leaf) const {
   const Entry* first = nullptr;
   for (int i = 0; i < 4; ++i) {
     if (!is_end(leaf.vertices[i])) continue;
     for (int j = i + 1; j < 4; ++j) {
       if (!is_end(leaf.vertices[j])) continue;
-      const std::array edge = {leaf.vertices[i], leaf.vertices[j]};
-      const auto found =
-          std::lower_bound(by_edge_.begin(), by_edge_.end(), edge,
-                           [](const Entry& e, const auto& key) { return e.edge < key; });
-      if (found == by_edge_.end() || found->edge != edge) continue;
-      if (first == nullptr || found->order < first->order) first = &*found;
+      const Entry* const found = find({leaf.vertices[i], leaf.vertices[j]});
+      if (found == nullptr) continue;
+      if (first == nullptr || found->order < first->order) first = found;
     }
   }
   return first;

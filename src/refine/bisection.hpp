@@ -36,6 +36,8 @@ class MarkedEdges {
     for (const VertexId v : leaf.vertices) touched += is_end(v);
     return touched >= 2;
   }
+  /// The entry of an edge, or nullptr. \pre ascending.
+  const Entry* find(const std::array<VertexId, 2>& edge) const;
   /// The first marked edge of a tet in the order of the round, or nullptr.
   const Entry* first_in(const Leaf& leaf) const;
 

@@ -12,6 +12,7 @@
 
 #include "triplex/arithmetic/sign.hpp"
 #include "triplex/feature/feature_table.hpp"
+#include "triplex/field/periodic.hpp"
 #include "triplex/field/tensor_field.hpp"
 
 namespace triplex {
@@ -31,6 +32,9 @@ struct FeatureMesh {
   /// T itself, interpolated in doubles: what further quantities are computed from. Empty unless
   /// `ExtractionOptions::keep_tensors`.
   std::vector<Tensor<double>> tensors;
+  /// The point that this one is a periodic copy of (itself, if of none). Empty unless
+  /// `ExtractionOptions::periodic`.
+  std::vector<std::uint32_t> identified;
   // per cell
   std::vector<std::int64_t> source_cell;  ///< cell id in the input file
   std::vector<std::uint8_t> certified;    ///< 1 where the topology is proven
@@ -64,6 +68,9 @@ using ProgressCallback = std::function<void(std::string_view step, double done)>
 struct ExtractionOptions {
   FeatureTable table;
   FeatureSet features = kStandardSet;  ///< rows of the table
+  /// Opposite sides of the domain that are one: the meshes on them match point by point, and
+  /// `FeatureMesh::identified` says which points are one. \throw BadInput if they do not correspond.
+  PeriodicAxes periodic{};
   /// Fill `FeatureMesh::tensors`.
   bool keep_tensors = false;
   /// Bisections that one tet of the input may ask for before it is reported as unresolved.
@@ -97,7 +104,8 @@ struct Extraction {
 /// The main job: the requested features of a field, with certified topology.
 /// Guarantee: where `certified` is 1, the mesh is homeomorphic, cell by cell, to the feature of the
 /// piecewise linear field perturbed by a fixed infinitesimal constant tensor (docs/guarantees.md).
-/// \pre the field passed `check_input`. \throw Interrupted.
+/// \pre the field passed `check_input`. \throw Interrupted; BadInput for periodic sides that do not
+/// correspond.
 Extraction extract(const TensorField& field, const ExtractionOptions& options = {});
 
 }  // namespace triplex

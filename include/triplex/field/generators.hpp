@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "triplex/field/grid.hpp"
+#include "triplex/field/periodic.hpp"
 #include "triplex/field/tensor_field.hpp"
 
 namespace triplex {
@@ -68,6 +69,10 @@ TensorField generate_constant(const GridOptions& options,
 /// A linear field as `generate_random_linear`, of symmetric tensors: entries (i, j) and (j, i) are
 /// the same bits. Its degenerate points form curves, not surfaces. Default box: [-1,1]^3.
 TensorField generate_symmetric(const GridOptions& options);
+
+/// Gives the vertices on the upper sides across the periodic axes the tensors of those opposite.
+/// \pre a grid of n cells along each axis, as `grid_mesh` numbers it.
+void make_periodic(TensorField& field, int n, const PeriodicAxes& axes);
 
 /// One row of the table of generators, with default parameters.
 struct GeneratorRow {

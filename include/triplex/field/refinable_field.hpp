@@ -36,6 +36,9 @@ class RefinableField {
   /// The tets of the input in the numbering of this class.
   const std::vector<std::array<VertexId, 4>>& input_tets() const { return input_tets_; }
 
+  /// The vertex here of each point of the input.
+  std::vector<VertexId> vertices_of_input() const;
+
   const ApproximateTensor& approximate(VertexId v) const { return approximations_[index(v)]; }
   /// The tripled deviator 3 T - tr(T) I, exactly, in the units of the input.
   Tensor<Exact> exact(VertexId v) const;

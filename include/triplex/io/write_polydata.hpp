@@ -23,7 +23,8 @@ struct PointValues {
 void check_arrays(const FeatureMesh& mesh, std::span<const PointValues> extra);
 
 /// Writes one feature as .vtp (inline base64), an empty one too. Point arrays: `mode`, `p`, `q`
-/// (Float64), then `extra`. Cell arrays: `SourceCellId` (Int64), `Feature` (UInt8, the number of the `Feature`),
+/// (Float64), `PeriodicPoint` (Int64, the point that this one is a copy of) if the mesh says, then
+/// `extra`. Cell arrays: `SourceCellId` (Int64), `Feature` (UInt8, the number of the `Feature`),
 /// `Certified` (UInt8). Segments come before triangles in the cell arrays, as in VTK.
 /// Guarantee: all or nothing, as `write_file_atomically`; equal meshes give equal bytes.
 /// \pre one p, q and mode per point; one source cell and certified flag per cell. \throw IoError.

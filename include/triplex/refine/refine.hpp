@@ -11,6 +11,7 @@
 #include "triplex/certify/cell.hpp"
 #include "triplex/certify/level_set.hpp"
 #include "triplex/field/refinable_field.hpp"
+#include "triplex/refine/periodic_copies.hpp"
 
 namespace triplex {
 
@@ -33,6 +34,8 @@ struct RefineOptions {
   FeatureSet features = kStandardSet;  ///< rows of the table
   /// Bisections that one tet of the input may ask for.
   std::uint32_t max_bisections = 64;
+  /// Opposite sides that are one: they are refined alike.
+  PeriodicAxes periodic{};
   /// No further round starts with more tets than this; bounds memory.
   std::size_t max_tets = 0;
   std::function<void(double done)> progress;
@@ -47,6 +50,7 @@ struct RefinedComplex {
   std::vector<std::uint8_t> sectors;  ///< per vertex: a `Sector`, or kOpenSector
   std::vector<LevelSides> sides;      ///< per vertex; empty if no level set is requested
   std::vector<Leaf> leaves;
+  PeriodicCopies copies;  ///< on opposite sides
   std::uint64_t rounds = 0, bisections = 0;
   bool hit_size_limit = false;
   SignStages sign_stages;
