@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Domains whose opposite sides are one.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "fields.hpp"
+#include "triplex/topology/curve_topology.hpp"
+#include "triplex/topology/surface_topology.hpp"
+
+namespace triplex {
+namespace {
+
+constexpr PeriodicAxes kAll = {true, true, true};
+
+template <std::size_t N>
+std::vector<std::array<std::uint32_t, N>> glued(
+    std::vector<std::array<std::uint32_t, N>> cells, const FeatureMesh& mesh) {
+  for (auto& cell : cells)
+    for (std::uint32_t& v : cell) v = mesh.identified.at(v);
+  return cells;
+}
+
+TensorField periodic_noise(int n, const PeriodicAxes& axes) {
+  GridOptions grid;
+  grid.n = n;
+  grid.seed = 11;
+  grid.jitter = 0.2;
+  TensorField field = generate_noise(grid);
+  make_periodic(field, n, axes);
+  return field;
+}
+
+/// The curve of the Arnold-Beltrami-Childress flow has six closed components on the 3-torus.
+TEST(Periodic, TheCurveOfAbcClosesOnTheTorus) {
+  GridOptions grid;
+  grid.n = 10;
+  grid.jitter = 0.1;
+  ExtractionOptions options;
+  options.periodic = kAll;
+  const Extraction result = extract(generate_abc(grid), options);
+  const FeatureMesh& curve = result.mesh(Feature::TripleCurve);
+  const CurveTopology t = curve_topology(glued(curve.segments, curve), curve.points.size());
+  EXPECT_EQ(t.components, 6u);
+  EXPECT_EQ(t.closed, 6u);
+  EXPECT_EQ(t.ends, 0u);
+  options.periodic = {};
+  const Extraction cut = extract(generate_abc(grid), options);
+  EXPECT_TRUE(cut.mesh(Feature::TripleCurve).identified.empty());
+  EXPECT_GT(curve_topology(cut.mesh(Feature::TripleCurve).segments,
+                           cut.mesh(Feature::TripleCurve).points.size())
+                .ends,
+            0u);
+}
+
+/// On a torus the pages have no boundary but the curve, to which each is attached once all along,
+/// certified or not.
+TEST(Periodic, PagesEndOnlyOnTheCurve) {
+  ExtractionOptions options;
+  options.periodic = kAll;
+  options.max_bisections = 6;
+  const Feature mode = options.table.add_mode({1, 2}, Sign::Negative, Sign::Positive);
+  const Feature level = options.table.add_magnitude(1.6);
+  options.features |= bit(mode) | bit(level);
+  const Extraction result = extract(periodic_noise(4, kAll), options);
+  EXPECT_GT(result.refinement.bisections, 100u);
+  const std::size_t spine = result.mesh(Feature::TripleCurve).segments.size();
+  ASSERT_GT(spine, 100u);
+  for (const FeatureRow& row : result.table.rows()) {
+    if (row.kind == FeatureKind::Curve) continue;
+    const FeatureMesh& mesh = result.mesh(row.feature);
+    ASSERT_GT(mesh.triangles.size(), 100u) << row.name;
+    const SurfaceTopology t = surface_topology(glued(mesh.triangles, mesh), mesh.points.size());
+    EXPECT_EQ(t.boundary_edges, row.kind == FeatureKind::Page ? spine : 0) << row.name;
+    EXPECT_EQ(t.nonmanifold_edges, 0u) << row.name;
+    EXPECT_EQ(t.orientation_conflicts, 0u) << row.name;
+  }
+}
+
+/// Copies differ in the coordinates of periodic axes only, and there by the width of the domain.
+TEST(Periodic, CopiesMatchBitForBit) {
+  ExtractionOptions options;
+  options.periodic = {true, false, true};
+  options.max_bisections = 6;
+  const TensorField field = periodic_noise(4, options.periodic);
+  const Extraction result = extract(field, options);
+  std::size_t copies = 0, on_side = 0;
+  for (const FeatureRow& row : result.table.rows()) {
+    const FeatureMesh& mesh = result.mesh(row.feature);
+    ASSERT_EQ(mesh.identified.size(), mesh.points.size());
+    for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+      const std::uint32_t original = mesh.identified[v];
+      const Point &x = mesh.points[v], &y = mesh.points[original];
+      EXPECT_EQ(mesh.identified[original], original);
+      for (const std::size_t k : {0u, 1u, 2u}) {
+        const bool wrapped = options.periodic[k] && x[k] == 1;
+        on_side += wrapped;
+        EXPECT_EQ(y[k], wrapped ? 0 : x[k]) << row.name;
+      }
+      copies += original != v;
+      EXPECT_EQ(mesh.p[v], mesh.p[original]);
+      EXPECT_EQ(mesh.q[v], mesh.q[original]);
+    }
+  }
+  EXPECT_GT(copies, 100u);
+  EXPECT_GE(on_side, copies);
+}
+
+std::string refusal(const TensorField& field, const PeriodicAxes& axes) {
+  try {
+    find_periodic_pairs(field, axes);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+bool mentions(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Periodic, SidesThatDoNotCorrespondAreRefused) {
+  const PeriodicAxes along_y = {false, true, false};
+  EXPECT_EQ(refusal(periodic_noise(3, kAll), kAll), "");
+  EXPECT_EQ(refusal(periodic_noise(3, along_y), along_y), "");
+  EXPECT_TRUE(mentions(refusal(periodic_noise(3, along_y), kAll), "their tensors differ"));
+  EXPECT_TRUE(mentions(refusal(periodic_noise(2, kAll), kAll), "three layers"));
+
+  TensorField moved = periodic_noise(3, along_y);
+  for (Point& x : moved.mesh.points)
+    if (x[1] == 1 && x[0] > 0.1 && x[0] < 0.9) x[0] += 0.01;
+  EXPECT_TRUE(mentions(refusal(moved, along_y), "no partner"));
+
+  GridOptions grid;
+  grid.n = 3;
+  grid.split = CellSplit::Five;  // mirrored from cell to cell: the sides of odd grids differ
+  TensorField field = generate_constant(grid);
+  EXPECT_TRUE(mentions(refusal(field, along_y), "triangles"));
+  grid.n = 4;
+  EXPECT_EQ(refusal(generate_constant(grid), along_y), "");
+}
+
+TEST(Periodic, PairsAreAllPointsOfTheSides) {
+  const auto pairs = find_periodic_pairs(periodic_noise(3, kAll), {true, false, true});
+  EXPECT_EQ(pairs[0].size(), 16u);
+  EXPECT_TRUE(pairs[1].empty());
+  EXPECT_EQ(pairs[2].size(), 16u);
+  for (const auto& [low, high] : pairs[0]) EXPECT_EQ(high, low + 3);
+  for (const auto& [low, high] : pairs[2]) EXPECT_EQ(high, low + 3 * 16);
+}
+
+}  // namespace
+}  // namespace triplex
