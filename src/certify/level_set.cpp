@@ -230,19 +230,19 @@ bool is_zero(const Tensor<double>& d) {
 class OutsideVertices {
  public:
   OutsideVertices(const RefinableField& field, const std::array<VertexId, 4>& vertices,
-                  std::span<const LevelSides> sides, Feature feature) {
+                  std::span<const LevelSides> sides, Feature feature)
+      : field_(field), vertices_(vertices) {
     for (int i = 0; i < 4; ++i) {
       if (contains(sides[index(vertices[i])].inside, feature)) continue;
+      approximate_[count_] = field.approximate_tensor(vertices[i]).a;
       local_[count_++] = i;
-      tensors_.emplace_back(field, vertices[i]);
-      approximate_.push_back(tensors_.back().approximate());
     }
   }
   std::size_t count() const { return count_; }
 
   bool separated_from(const LevelSet& level, SignStages& stages) const {
     if (count_ == 1 || level.kind == LevelSet::Kind::Traceless) return true;
-    const Normals normals(level, approximate_);
+    const Normals normals(level, tensors());
     return separates(level, normals.first(), stages) || separates(level, normals.second(), stages);
   }
   /// The two whose tensors differ most, as local indices.
@@ -262,18 +262,27 @@ class OutsideVertices {
   }
 
  private:
+  std::span<const Tensor<double>> tensors() const { return {approximate_.data(), count_}; }
+
   bool separates(const LevelSet& level, const Tensor<double>& d, SignStages& stages) const {
     if (is_zero(d)) return false;
+    // In doubles first: most normals fail at once or not at all.
+    for (const Tensor<double>& t : tensors())
+      if ((level.kind == LevelSet::Kind::Magnitude ? -double_dot(d, t) : double_dot(d, t)) > 0)
+        return false;
     if (level.kind == LevelSet::Kind::Isotropicity && !in_dual_cone(d, level.value)) return false;
-    return std::ranges::all_of(tensors_, [&](const VertexTensor& t) {
-      return t.decide(BeyondPlane{level, d}, stages) == Verdict::Yes;
-    });
+    for (std::size_t n = 0; n < count_; ++n) {
+      const VertexTensor tensor(field_, vertices_[local_[n]]);
+      if (tensor.decide(BeyondPlane{level, d}, stages) != Verdict::Yes) return false;
+    }
+    return true;
   }
 
+  const RefinableField& field_;
+  const std::array<VertexId, 4>& vertices_;
   std::array<int, 4> local_{};
   std::size_t count_ = 0;
-  std::vector<VertexTensor> tensors_;
-  std::vector<Tensor<double>> approximate_;
+  std::array<Tensor<double>, 4> approximate_;
 };
 
 }  // namespace

@@ -112,8 +112,21 @@ Tensor<Exact> RefinableField::exact_tensor(VertexId v) const {
   return sum;
 }
 
-/// Scaling is exact but for underflow; the combination is as in `add_midpoint`.
 ApproximateTensor RefinableField::approximate_tensor(VertexId v) const {
+  return tensors_.empty() ? combine_tensor(v) : tensors_[index(v)];
+}
+
+void RefinableField::keep_tensors() {
+  tensors_.resize(vertex_count());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tensors_.size(), 4096),
+                    [&](const auto& range) {
+                      for (std::size_t v = range.begin(); v < range.end(); ++v)
+                        tensors_[v] = combine_tensor(VertexId(v));
+                    });
+}
+
+/// Scaling is exact but for underflow; the combination is as in `add_midpoint`.
+ApproximateTensor RefinableField::combine_tensor(VertexId v) const {
   const Combination c = combination(v);
   ApproximateTensor r{};
   for (int i = 0; i < 4; ++i) {
@@ -183,6 +196,7 @@ std::optional<VertexId> RefinableField::add_midpoint(VertexId a, VertexId b) {
   r.bounds.magnitude = largest_entry(r.a);
   midpoints_.push_back(middle);
   approximations_.push_back(r);
+  if (!tensors_.empty()) tensors_.push_back(combine_tensor(VertexId(approximations_.size() - 1)));
   return VertexId(approximations_.size() - 1);
 }
 

@@ -26,10 +26,11 @@ class Refinement {
   Refinement(const TensorField& input, const RefineOptions& options)
       : options_(options),
         level_sets_(options.features & options.table.level_sets()),
-        sweeps_((options.features & ~kStandardSet) == 0 &&
+        sweeps_((options.features & kStandardSet) != 0 &&
                 options.table.page_count() == kStandardPages),
         complex_(input),
         spent_(input.mesh.tets.size(), 0) {
+    if (level_sets_ != 0) complex_.field.keep_tensors();
     if (any(options.periodic))
       complex_.copies = PeriodicCopies(input, complex_.field, options.periodic);
   }
@@ -130,24 +131,17 @@ class Refinement {
       cells[i] = complex_.leaves[pending_[begin + i]].vertices;
     if (sweeps_)
       sweep_cells(complex_.field, std::span(cells).first(count), complex_.sectors,
-                  options_.features, std::span(swept).first(count), stages);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!swept[i].settled) {
-        certify(begin + i, stages);
-        continue;
-      }
-      Leaf& leaf = complex_.leaves[pending_[begin + i]];
-      leaf.graph = swept[i].graph;
-      leaf.open = 0;
-      leaf.has_spine_proof = false;
-      leaf.obstacle = Obstacle::None;
-    }
+                  options_.features & ~level_sets_, std::span(swept).first(count), stages);
+    for (std::size_t i = 0; i < count; ++i) certify(begin + i, swept[i], stages);
   }
 
-  void certify(std::size_t n, SignStages& stages) {
+  /// The pages as far as the sweep left them, then the level sets.
+  void certify(std::size_t n, const SweptCell& swept, SignStages& stages) {
     Leaf& leaf = complex_.leaves[pending_[n]];
     CellCertificate certificate;
-    if (const FeatureSet book = options_.features & ~level_sets_; book != 0)
+    if (swept.settled)
+      certificate.graph = swept.graph;
+    else if (const FeatureSet book = options_.features & ~level_sets_; book != 0)
       certificate = certify_cell(complex_.field, leaf.vertices, complex_.sectors, options_.table,
                                  book, stages);
     if (level_sets_ != 0)
@@ -225,7 +219,7 @@ class Refinement {
 
   const RefineOptions& options_;
   const FeatureSet level_sets_;  // requested
-  const bool sweeps_;            // the sweep knows all that is requested
+  const bool sweeps_;            // the sweep knows the book
   RefinedComplex complex_;
   StagesPerThread stages_;
   std::vector<std::uint32_t> spent_;    // bisections asked for, per input tet

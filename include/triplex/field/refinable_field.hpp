@@ -42,8 +42,10 @@ class RefinableField {
   const ApproximateTensor& approximate(VertexId v) const { return approximations_[index(v)]; }
   /// The tripled deviator 3 T - tr(T) I, exactly, in the units of the input.
   Tensor<Exact> exact(VertexId v) const;
-  /// T itself, scaled like `approximate`; put together on each call.
+  /// T itself, scaled like `approximate`; put together on each call unless `keep_tensors` was
+  /// called, from when on it is kept for every vertex.
   ApproximateTensor approximate_tensor(VertexId v) const;
+  void keep_tensors();
   /// T itself, exactly, in the units of the input.
   Tensor<Exact> exact_tensor(VertexId v) const;
   /// The position, rounded once per coordinate combination (exact for vertices of the input).
@@ -70,11 +72,13 @@ class RefinableField {
   };
   bool is_input(VertexId v) const { return index(v) < input_of_.size(); }
   Combination combination(VertexId v) const;
+  ApproximateTensor combine_tensor(VertexId v) const;
 
   const TensorField* field_;
   std::vector<std::uint32_t> input_of_;  // vertex here -> point of the file
   std::vector<std::array<VertexId, 4>> input_tets_;
   std::vector<ApproximateTensor> approximations_;
+  std::vector<ApproximateTensor> tensors_;  // with trace; empty unless kept
   std::vector<Combination> midpoints_;
   int scale_exponent_ = 0;
 };
