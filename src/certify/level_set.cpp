@@ -107,6 +107,11 @@ struct BeyondPlane {
 
 /// D : X >= 0 for all X in the cone: sign(eta) tr(D) > 0 and tr(D)^2 >= 3 (1 - eta^2) |D|^2.
 bool in_dual_cone(const Tensor<double>& d, double eta) {
+  // Doubles first: entries of d are at most 2 with 26 bits, so trace and squares are exact but for
+  // the sums, and the whole takes fewer than 16 roundings on at most 9 |d|^2 + 3 |d|^2.
+  const double square = double_dot(d, d), trace_of_d = trace(d);
+  const double value = trace_of_d * trace_of_d - 3 * (1 - eta * eta) * square;
+  if (trace_of_d * (eta < 0 ? -1 : 1) > 0 && value > gamma(16) * 12 * square * kSlack) return true;
   Tensor<Exact> D;
   for (int k = 0; k < 9; ++k) D[k] = Exact(d[k]);
   const Exact tr = trace(D);
@@ -202,11 +207,14 @@ class Normals {
       : level_(level), outside_(outside) {}
 
   Tensor<double> first() const {
-    if (level_.kind != LevelSet::Kind::Magnitude) return axis(side_of(level_));
     Tensor<double> mean{};
     for (const auto& t : outside_)
       for (int k = 0; k < 9; ++k) mean[k] += t[k];
-    return few_bits(mean);
+    if (level_.kind == LevelSet::Kind::Magnitude) return few_bits(mean);
+    const AxialPlane plane(level_, mean);
+    if (plane.along <= 0 || plane.beside == 0) return axis(side_of(level_));
+    return few_bits(plane.normal(
+        (std::atan2(plane.beside, plane.along) + angle_of(level_)) / 2));
   }
   Tensor<double> second() const {
     if (level_.kind == LevelSet::Kind::Magnitude) return few_bits(nearest_to_origin(outside_));
