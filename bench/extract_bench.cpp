@@ -52,8 +52,8 @@ void certify_cells(benchmark::State& state) {
   for (auto _ : state) {
     SignStages stages;
     for (const Leaf& leaf : complex.leaves) {
-      benchmark::DoNotOptimize(
-          certify_cell(complex.field, leaf.vertices, complex.sectors, standard_features(), kStandardSet, stages));
+      benchmark::DoNotOptimize(certify_cell(complex.field, leaf.vertices, complex.sectors,
+                                            standard_features(), kStandardSet, stages));
     }
   }
   count_tets(state, complex.leaves.size());

@@ -237,7 +237,8 @@ class CellCheck {
       int winding = 0;
       for (int i = 0; i < 3; ++i) {
         const VertexId a = vertices_[face[i]], b = vertices_[face[(i + 1) % 3]];
-        const auto rotation = rotation_along((*cell_).field(), a, b, sector(a), sector(b), table_, stages_);
+        const auto rotation =
+            rotation_along((*cell_).field(), a, b, sector(a), sector(b), table_, stages_);
         if (!rotation) return 4;
         winding += *rotation;
       }

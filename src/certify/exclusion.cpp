@@ -212,11 +212,10 @@ bool excludes_page(const Simplex<N>& simplex, const Sheet& sheet, SignStages& st
 template <int N>
 Sign uniform_sign_of_discriminant(const Simplex<N>& simplex, const ModeMap& map,
                                   SignStages& stages) {
-  const Sign likely =
-      with_mapped_doubles(simplex, map, [](const auto& f, const FormBounds&) {
-        const double corner = -(2 * f.p[0] * f.p[0] * f.p[0] + 3 * f.q[0] * f.q[0]);
-        return corner < 0 ? Sign::Negative : Sign::Positive;
-      });
+  const Sign likely = with_mapped_doubles(simplex, map, [](const auto& f, const FormBounds&) {
+    const double corner = -(2 * f.p[0] * f.p[0] * f.p[0] + 3 * f.q[0] * f.q[0]);
+    return corner < 0 ? Sign::Negative : Sign::Positive;
+  });
   return simplex.decide(Mapped<UniformDiscriminant>{map, {likely}}, stages) ? likely : Sign::Zero;
 }
 

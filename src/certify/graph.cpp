@@ -163,8 +163,8 @@ bool certifies_graph(const Simplex<N>& simplex, const Sheet& sheet, SignStages& 
       return !is_zero(d) && simplex.decide(SheetIncreases{d, {}, 1}, stages);
     }
     case Sheet::Kind::Curved: {
-      const CurvedWitness w = with_mapped_doubles(
-          simplex, sheet.map, [&](const auto& f, const FormBounds& bounds) {
+      const CurvedWitness w =
+          with_mapped_doubles(simplex, sheet.map, [&](const auto& f, const FormBounds& bounds) {
             return curved_witness(f, bounds, sheet.sign_q);
           });
       return !is_zero(w.increases.d) &&

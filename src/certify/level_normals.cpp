@@ -40,8 +40,8 @@ struct AxialPlane {
     if (beside > 0)
       for (double& x : across) x /= beside;
   }
-  /// sin(a) J - cos(a) U: what lies at an angle phi < 90 degrees + a has it behind for phi > a; it is
-  /// dual to the cone for a >= theta, the cone's angle.
+  /// sin(a) J - cos(a) U: what lies at an angle phi < 90 degrees + a has it behind for phi > a; it
+  /// is dual to the cone for a >= theta, the cone's angle.
   Tensor<double> normal(double a) const {
     Tensor<double> d;
     for (int k = 0; k < 9; ++k)
@@ -86,8 +86,7 @@ Tensor<double> normal_at_nearest_point(const LevelSet& level,
     const AxialPlane plane(level, x);
     // Beyond the polar cone's angle, 90 degrees + theta, minus X itself is the normal.
     const double phi = std::atan2(plane.beside, plane.along);
-    const Tensor<double> d =
-        plane.normal(std::fmax(theta, phi - std::acos(0.0)) + kTurn);
+    const Tensor<double> d = plane.normal(std::fmax(theta, phi - std::acos(0.0)) + kTurn);
     const auto worst = std::ranges::max_element(
         tensors, {}, [&](const Tensor<double>& t) { return double_dot(d, t); });
     if (step == kSteps || double_dot(d, *worst) < 0) return few_bits(d);

@@ -55,8 +55,8 @@ struct Inside {
         return both(Certainty::Positive, certainty(value, error));
       }
       case LevelSet::Kind::Isotropicity: {
-        // tr^2 - 3 eta^2 |T|^2: |tr| <= 3 M, so the square moves by 6 M dt + dt^2, with dt the error
-        // of the trace, and takes 2 roundings; the other term takes 4 on top of |T|^2's.
+        // tr^2 - 3 eta^2 |T|^2: |tr| <= 3 M, so the square moves by 6 M dt + dt^2, with dt the
+        // error of the trace, and takes 2 roundings; the other term takes 4 on top of |T|^2's.
         const double m = bounds.magnitude, dt = trace_error(bounds), eta = level.value;
         const double error =
             kSlack * (6 * m * dt + dt * dt + gamma(3) * 9 * m * m +
@@ -96,8 +96,8 @@ struct BeyondPlane {
     const double s = std::ldexp(level.value, scale);
     if (!(s > kSmallestFiltered && s < 1 / kSmallestFiltered) && scale != 0)
       return Verdict::Unknown;
-    const double error = kSlack * (2 * m * dl + dl * dl + gamma(3) * m * m +
-                                   gamma(14) * s * s * norm2);
+    const double error =
+        kSlack * (2 * m * dl + dl * dl + gamma(3) * m * m + gamma(14) * s * s * norm2);
     const NT value = along * along - NT(s) * NT(s) * double_dot(D, D);
     return both(certainty(along, dl), certainty(value, error));
   }
@@ -223,9 +223,8 @@ void certify_level_sets(const RefinableField& field, const std::array<VertexId, 
                         FeatureSet requested, CellCertificate& certificate, SignStages& stages) {
   for (const FeatureRow& row : table.rows()) {
     if (row.kind != FeatureKind::LevelSet || !contains(requested, row.feature)) continue;
-    if (std::ranges::any_of(vertices, [&](VertexId v) {
-          return contains(sides[index(v)].open, row.feature);
-        })) {
+    if (std::ranges::any_of(
+            vertices, [&](VertexId v) { return contains(sides[index(v)].open, row.feature); })) {
       certificate.open |= bit(row.feature);
       if (certificate.obstacle == Obstacle::None) certificate.obstacle = Obstacle::Vertex;
       continue;

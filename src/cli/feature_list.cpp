@@ -108,8 +108,7 @@ void add_feature_options(CLI::App& command, FeatureRequest& request) {
       ->type_name("MU,SIGN_P,SIGN_Q")
       ->expected(1)
       ->take_all();
-  command
-      .add_option("--magnitude", request.magnitudes, "Also the surface |T| = S; repeatable")
+  command.add_option("--magnitude", request.magnitudes, "Also the surface |T| = S; repeatable")
       ->type_name("S")
       ->expected(1)
       ->take_all();

@@ -93,8 +93,7 @@ Json features_json(const Extraction& extraction, const FeatureSummaries& summari
   for (const Feature f : reading_order(extraction.requested)) {
     const FeatureRow& row = extraction.table.row(f);
     const FeatureSummary& summary = summaries[index(f)];
-    json[row.name] =
-        row.kind == FeatureKind::Curve ? curve_json(summary) : surface_json(summary);
+    json[row.name] = row.kind == FeatureKind::Curve ? curve_json(summary) : surface_json(summary);
   }
   return json;
 }

@@ -39,7 +39,7 @@ struct ExtractRequest {
   std::string directory;
   ReadOptions reading;
   FeatureRequest features;
-  std::vector<std::string> arrays;                       ///< names of further point arrays
+  std::vector<std::string> arrays;  ///< names of further point arrays
   std::vector<MeshFormat> formats = {MeshFormat::Vtp};
   std::vector<std::string> periodic;  ///< axes
   std::uint32_t max_bisections = 0;

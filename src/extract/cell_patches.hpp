@@ -17,8 +17,8 @@ struct PatchVertex {
   std::uint8_t faces = 0;  ///< of the tet at hand, as bits: those that the vertex lies on
 };
 
-/// The oriented boundary of one patch of a surface in a tet, normal towards growing angle of (p, q),
-/// or out of the convex set. At most one vertex per edge and per face of the tet.
+/// The oriented boundary of one patch of a surface in a tet, normal towards growing angle of (p,
+/// q), or out of the convex set. At most one vertex per edge and per face of the tet.
 struct PatchLoop {
   static constexpr std::size_t kMost = 6 + 4;
   Feature feature{};
@@ -34,11 +34,11 @@ struct CellPatches {
   std::vector<std::array<PatchVertex, 2>> spine;  ///< arcs of the triple degenerate curve
 };
 
-/// The patches of a tet, by combinatorics alone: on each face an arc of a surface joins the crossing
-/// that leaves its inner side to the one that enters it, or ends at the face's spine point; arcs
-/// chain to loops over the faces; arcs of the spine join the faces where it enters and leaves.
-/// Guarantee: neighbouring tets make the same arcs on their common face, certified or not, so the
-/// union is watertight. Source: proofs/cell.md.
+/// The patches of a tet, by combinatorics alone: on each face an arc of a surface joins the
+/// crossing that leaves its inner side to the one that enters it, or ends at the face's spine
+/// point; arcs chain to loops over the faces; arcs of the spine join the faces where it enters and
+/// leaves. Guarantee: neighbouring tets make the same arcs on their common face, certified or not,
+/// so the union is watertight. Source: proofs/cell.md.
 void patches_of(const Leaf& leaf, const EdgeCrossings& crossings,
                 const FaceSpinePoints& spine_points, FeatureSet features, CellPatches& patches);
 

@@ -217,8 +217,8 @@ Tensor<double> FeatureMeshBuilder::tensor(const PatchVertex& v) const {
   return sum;
 }
 
-/// The vertex of the lowest periodic copy of the edge or face that a vertex lies on; itself, if that
-/// is none of the mesh.
+/// The vertex of the lowest periodic copy of the edge or face that a vertex lies on; itself, if
+/// that is none of the mesh.
 PatchVertex FeatureMeshBuilder::lowest_copy(Feature feature, const PatchVertex& v) const {
   int number = -1;
   if (v.on_spine) {

@@ -66,12 +66,12 @@ EdgeRoot find_level_crossing(const RefinableField& field, const std::array<Verte
                              const LevelSet& level, bool first_inside) {
   const EdgeTensors edge{field.approximate_tensor(ends[0]), field.approximate_tensor(ends[1])};
   const int scale = field.scale_exponent();
-  EdgeRoot root{
-      bracketed_root([&](double t) { return depth(level, edge.at(t), scale); }, 0.0, 1.0), 1};
+  EdgeRoot root{bracketed_root([&](double t) { return depth(level, edge.at(t), scale); }, 0.0, 1.0),
+                1};
   const EntryBounds bounds = edge.bounds();
-  root.error = certified_error(
-      [&](double t) { return side_by_filter(level, edge.at(t), bounds, scale); }, root.t,
-      !first_inside);
+  root.error =
+      certified_error([&](double t) { return side_by_filter(level, edge.at(t), bounds, scale); },
+                      root.t, !first_inside);
   return root.error > kWidestBracket ? bisect_exactly(field, ends, level, first_inside) : root;
 }
 

@@ -10,7 +10,8 @@ namespace triplex {
 
 /// What extraction reads the surfaces off: at every vertex of the refined mesh a sector, and the
 /// level sets in whose convex set it lies. Where certification left a label open the doubles choose
-/// (a side: outside), once for all tets around, so the mesh stays watertight; these are open anyway.
+/// (a side: outside), once for all tets around, so the mesh stays watertight; these are open
+/// anyway.
 struct VertexLabels {
   std::vector<Sector> sectors;
   std::vector<FeatureSet> inside;  ///< empty: no level sets

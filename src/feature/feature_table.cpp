@@ -27,8 +27,15 @@ FeatureRow page_row(Feature feature, std::string name, std::string title, Sign s
           color};
 }
 FeatureRow level_row(std::string name, std::string title, LevelSet level, Color color) {
-  return {{}, FeatureKind::LevelSet, std::move(name), std::move(title), Sign::Zero, Sign::Zero,
-          kZero, level, color};
+  return {{},
+          FeatureKind::LevelSet,
+          std::move(name),
+          std::move(title),
+          Sign::Zero,
+          Sign::Zero,
+          kZero,
+          level,
+          color};
 }
 
 /// In the order of `Feature`.
@@ -47,8 +54,15 @@ std::vector<FeatureRow> standard_rows() {
                minus, kOne, kYellow),
       page_row(Feature::BalancedPlanar, "balanced-planar", "planar balanced surface", zero, minus,
                kInfinity, kMagenta),
-      {Feature::TripleCurve, FeatureKind::Curve, "triple-curve", "triple degenerate curve", zero,
-       zero, kZero, {}, kBlack},
+      {Feature::TripleCurve,
+       FeatureKind::Curve,
+       "triple-curve",
+       "triple degenerate curve",
+       zero,
+       zero,
+       kZero,
+       {},
+       kBlack},
   };
 }
 
@@ -111,8 +125,8 @@ FeatureTable::FeatureTable() : rows_(standard_rows()) { bind_book(); }
 Feature FeatureTable::add(FeatureRow row) {
   if (const auto known = named(row.name)) return *known;
   if (rows_.size() == kMaxFeatures)
-    throw BadFeature(fmt::format("at most {} features at once, the standard ones included",
-                                 kMaxFeatures));
+    throw BadFeature(
+        fmt::format("at most {} features at once, the standard ones included", kMaxFeatures));
   row.feature = static_cast<Feature>(rows_.size());
   if (row.kind == FeatureKind::LevelSet) level_sets_ |= bit(row.feature);
   rows_.push_back(std::move(row));
@@ -137,10 +151,11 @@ Feature FeatureTable::add_mode(ModeRatio mu, Sign sign_p, Sign sign_q) {
   if (mu.is_infinite()) return linear ? Feature::BalancedLinear : Feature::BalancedPlanar;
   if (mu == kOne && sign_p == Sign::Negative)
     return linear ? Feature::DegenerateLinear : Feature::DegeneratePlanar;
-  return add(page_row({}, fmt::format("mode-{}-p-{}-q-{}", text_of(mu), text_of(sign_p), text_of(sign_q)),
-                      fmt::format("mode surface {}/{}, p {} 0, q {} 0", mu.numerator, mu.denominator,
-                                  sign_p == Sign::Negative ? '<' : '>', linear ? '>' : '<'),
-                      sign_p, sign_q, mu, color_of_mode(mu.value(), sign_p, sign_q)));
+  return add(
+      page_row({}, fmt::format("mode-{}-p-{}-q-{}", text_of(mu), text_of(sign_p), text_of(sign_q)),
+               fmt::format("mode surface {}/{}, p {} 0, q {} 0", mu.numerator, mu.denominator,
+                           sign_p == Sign::Negative ? '<' : '>', linear ? '>' : '<'),
+               sign_p, sign_q, mu, color_of_mode(mu.value(), sign_p, sign_q)));
 }
 
 Feature FeatureTable::add_magnitude(double s) {
@@ -202,7 +217,7 @@ FeatureSet FeatureTable::all() const {
 }
 
 Domain FeatureTable::domain(Sector s) const {
-  constexpr std::array kNamed = {Feature::NeutralComplex, Feature::BalancedLinear,
+  constexpr std::array kNamed = {Feature::NeutralComplex,   Feature::BalancedLinear,
                                  Feature::DegenerateLinear, Feature::NeutralReal,
                                  Feature::DegeneratePlanar, Feature::BalancedPlanar};
   int domain = 0;

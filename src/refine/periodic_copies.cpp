@@ -11,8 +11,7 @@ PeriodicCopies::PeriodicCopies(const TensorField& input, const RefinableField& f
   const auto pairs = find_periodic_pairs(input, axes);
   const std::vector<VertexId> vertex_of = field.vertices_of_input();
   for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const auto& [low, high] : pairs[axis])
-      add_midpoint(axis, vertex_of[high], vertex_of[low]);
+    for (const auto& [low, high] : pairs[axis]) add_midpoint(axis, vertex_of[high], vertex_of[low]);
 }
 
 std::vector<std::array<VertexId, 2>> PeriodicCopies::copies(

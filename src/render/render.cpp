@@ -69,7 +69,8 @@ std::optional<CameraPreset> camera_named(std::string_view name) {
 void render_features(const std::filesystem::path& directory, const std::filesystem::path& picture,
                      const RenderOptions& options) {
   vtkObject::GlobalWarningDisplayOff();  // what goes wrong is thrown
-  const std::vector<DrawnFeature> features = read_features(directory, options.table, options.features);
+  const std::vector<DrawnFeature> features =
+      read_features(directory, options.table, options.features);
   require_display();
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);

@@ -262,8 +262,8 @@ TEST_F(CertificateTest, InjectiveFacesWindAtMostOnceAsTheRotationsSay) {
         const Simplex<2> edge(simplex, {a, b});
         for (const int flat : {kBalancedSheet, kNeutralSheet})
           edges_certified &= certifies_one_root(edge, tested_table().sheets()[flat], stages_);
-        rotations += *rotation_along(field, v[a], v[b], *sectors[a], *sectors[b], tested_table(),
-                                     stages_);
+        rotations +=
+            *rotation_along(field, v[a], v[b], *sectors[a], *sectors[b], tested_table(), stages_);
       }
       const int winding = static_cast<int>(std::lround(winding_angle(along(field, v, loop))));
       if (edges_certified) {

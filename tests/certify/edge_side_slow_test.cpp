@@ -123,8 +123,9 @@ bool check_rotation(const RefinableField& field, int n, Sector sa, Sector sb, co
                     Outcome& outcome) {
   SignStages ignored;
   const auto crossed = quadrants_crossed(edge);
-  const auto rotation = rotation_along(field, static_cast<VertexId>(n),
-                                       static_cast<VertexId>(n + 1), sa, sb, standard_features(), ignored);
+  const auto rotation =
+      rotation_along(field, static_cast<VertexId>(n), static_cast<VertexId>(n + 1), sa, sb,
+                     standard_features(), ignored);
   if (!crossed || !rotation) return true;
   ++outcome.rotations;
   const int turns = (*crossed - (quadrant(sb) - quadrant(sa))) / 4;
@@ -144,7 +145,8 @@ Outcome check(int wanted, unsigned bits, bool rotations, const Draw& draw) {
     for (int n = 0; n + 1 < kBatch && outcome.edges < wanted; ++n) {
       SignStages ignored;
       const auto sa = sector_at(refinable, static_cast<VertexId>(n), standard_features(), ignored);
-      const auto sb = sector_at(refinable, static_cast<VertexId>(n + 1), standard_features(), ignored);
+      const auto sb =
+          sector_at(refinable, static_cast<VertexId>(n + 1), standard_features(), ignored);
       if (!sa || !sb) continue;
       const bool opposite = standard_features().sign_p(*sa) != standard_features().sign_p(*sb);
       if (!opposite && !rotations) continue;

@@ -74,9 +74,9 @@ TEST(LevelSetSides, AgreeWithRationalArithmetic) {
   std::mt19937_64 random(kSeed);
   std::vector<Tensor<double>> tensors = {
       // On the surfaces: |T| = 3; tr = 0; the cone of eta = -1/2, tr^2 = 3/4 |T|^2; zero.
-      {2, 2, 1, 0, 0, 0, 0, 0, 0},   {0, 0, 3, 0, 0, 0, 0, 0, 0},  {1, 5, 2, 0, 1, 7, 0, 0, -2},
+      {2, 2, 1, 0, 0, 0, 0, 0, 0},    {0, 0, 3, 0, 0, 0, 0, 0, 0},  {1, 5, 2, 0, 1, 7, 0, 0, -2},
       {-1, 0, 0, 0, -1, 0, 0, 0, -1}, {-3, 0, 0, 0, 0, 0, 0, 3, 0}, {3, 0, 0, 0, 0, 0, 0, 3, 0},
-      {0, 0, 0, 0, 0, 0, 0, 0, 0},   {0, 1, 0, 0, 0, 0, 0, 0, 0}};
+      {0, 0, 0, 0, 0, 0, 0, 0, 0},    {0, 1, 0, 0, 0, 0, 0, 0, 0}};
   for (Tensor<double> t : std::vector(tensors))  // and one bit beside
     for (int k = 0; k < 9; ++k) {
       Tensor<double> near = t;

@@ -20,10 +20,14 @@ constexpr int kRange = 1 << 14;  // |a| < 2^17, |D| < 2^114
 
 Sector sector_of_signs(Sign p, Sign q, Sign d) {
   if (p == Sign::Positive) {
-    return q == Sign::Positive ? static_cast<Sector>(Domain::InnerComplexLinear) : static_cast<Sector>(Domain::InnerComplexPlanar);
+    return q == Sign::Positive ? static_cast<Sector>(Domain::InnerComplexLinear)
+                               : static_cast<Sector>(Domain::InnerComplexPlanar);
   }
-  if (d == Sign::Positive) return q == Sign::Positive ? static_cast<Sector>(Domain::RealLinear) : static_cast<Sector>(Domain::RealPlanar);
-  return q == Sign::Positive ? static_cast<Sector>(Domain::OuterComplexLinear) : static_cast<Sector>(Domain::OuterComplexPlanar);
+  if (d == Sign::Positive)
+    return q == Sign::Positive ? static_cast<Sector>(Domain::RealLinear)
+                               : static_cast<Sector>(Domain::RealPlanar);
+  return q == Sign::Positive ? static_cast<Sector>(Domain::OuterComplexLinear)
+                             : static_cast<Sector>(Domain::OuterComplexPlanar);
 }
 
 template <class NT>

@@ -35,9 +35,14 @@ Sector expected(const Tensor<double>& t, unsigned bits) {
   const auto i = oracle::rational_invariants(r);
   const int p = sgn(i.p), q = sgn(i.q), d = sgn(i.d);
   EXPECT_TRUE(p != 0 && q != 0 && d != 0);
-  if (p > 0) return q > 0 ? static_cast<Sector>(Domain::InnerComplexLinear) : static_cast<Sector>(Domain::InnerComplexPlanar);
-  if (d > 0) return q > 0 ? static_cast<Sector>(Domain::RealLinear) : static_cast<Sector>(Domain::RealPlanar);
-  return q > 0 ? static_cast<Sector>(Domain::OuterComplexLinear) : static_cast<Sector>(Domain::OuterComplexPlanar);
+  if (p > 0)
+    return q > 0 ? static_cast<Sector>(Domain::InnerComplexLinear)
+                 : static_cast<Sector>(Domain::InnerComplexPlanar);
+  if (d > 0)
+    return q > 0 ? static_cast<Sector>(Domain::RealLinear)
+                 : static_cast<Sector>(Domain::RealPlanar);
+  return q > 0 ? static_cast<Sector>(Domain::OuterComplexLinear)
+               : static_cast<Sector>(Domain::OuterComplexPlanar);
 }
 
 TEST(VertexSector, NumbersAndSigns) {
@@ -55,7 +60,8 @@ TEST(VertexSector, GenericTensorsAreDecidedByTheFilter) {
     const Answer a = sector_of(t);
     ASSERT_EQ(a.sector, expected(t, 1000));
     ASSERT_EQ(a.stages.exact, 0u);
-    ASSERT_GE(a.stages.filter + a.stages.interval, standard_features().sign_p(*a.sector) == Sign::Negative ? 3u : 2u);
+    ASSERT_GE(a.stages.filter + a.stages.interval,
+              standard_features().sign_p(*a.sector) == Sign::Negative ? 3u : 2u);
   }
 }
 
@@ -102,7 +108,8 @@ TEST(VertexSector, TinyTensorInALargeField) {
         oracle::scattered_field({oracle::scaled(oracle::double_tensor(random), n % 3 * 500), tiny});
     const RefinableField refinable(field);
     SignStages stages;
-    EXPECT_EQ(sector_at(refinable, VertexId{1}, standard_features(), stages), expected(tiny, 20000));
+    EXPECT_EQ(sector_at(refinable, VertexId{1}, standard_features(), stages),
+              expected(tiny, 20000));
   }
 }
 
@@ -145,7 +152,9 @@ TEST(VertexSector, Midpoints) {
     EXPECT_EQ(standard_features().sign_p(*s), oracle::sign_of(i.p));
     EXPECT_EQ(standard_features().sign_q(*s), oracle::sign_of(i.q));
     if (sgn(i.p) < 0) {
-      EXPECT_EQ(*s == static_cast<Sector>(Domain::RealLinear) || *s == static_cast<Sector>(Domain::RealPlanar), sgn(i.d) > 0);
+      EXPECT_EQ(*s == static_cast<Sector>(Domain::RealLinear) ||
+                    *s == static_cast<Sector>(Domain::RealPlanar),
+                sgn(i.d) > 0);
     }
   }
 }

@@ -40,15 +40,16 @@ TEST(Features, BeyondTheStandardOnesHaveTheirFiles) {
   const fs::path out = directory / "out";
   const std::string field = make_field(directory, "lorenz", 6);
   const Outcome outcome =
-      run({"extract", field, "-o", out.string(), "--features", "none", "--mode", "0.5,-,+", "--mode",
-           "3/2,+,-", "--mode", "inf,0,+", "--magnitude", "25", "--isotropicity", "-0.5",
+      run({"extract", field, "-o", out.string(), "--features", "none", "--mode", "0.5,-,+",
+           "--mode", "3/2,+,-", "--mode", "inf,0,+", "--magnitude", "25", "--isotropicity", "-0.5",
            "--isotropicity", "0.25", "--traceless"});
   EXPECT_TRUE(outcome.code == 0 || outcome.code == 2) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("isotropicity-neg-0.5"));
   const json report = report_in(out);
-  EXPECT_THAT(report["options"]["features"],
-              ElementsAre("balanced-linear", "mode-1_2-p-neg-q-pos", "mode-3_2-p-pos-q-neg",
-                          "magnitude-25", "isotropicity-neg-0.5", "isotropicity-0.25", "traceless"));
+  EXPECT_THAT(
+      report["options"]["features"],
+      ElementsAre("balanced-linear", "mode-1_2-p-neg-q-pos", "mode-3_2-p-pos-q-neg", "magnitude-25",
+                  "isotropicity-neg-0.5", "isotropicity-0.25", "traceless"));
   EXPECT_THAT(report["options"]["modes"], ElementsAre("0.5,-,+", "3/2,+,-", "inf,0,+"));
   EXPECT_EQ(report["features"].size(), 7u);
   for (const auto& [name, numbers] : report["features"].items()) {
@@ -75,9 +76,8 @@ TEST(Features, BeyondTheStandardOnesHaveTheirFiles) {
 TEST(Features, ArraysAreThoseOfTheTensor) {
   const TemporaryDirectory directory;
   const fs::path out = directory / "out";
-  const Outcome outcome =
-      run({"extract", make_field(directory, "lorenz", 5), "-o", out.string(), "--arrays",
-           "eigenvalues,tensor,p,trace", "--isotropicity", "-0.5"});
+  const Outcome outcome = run({"extract", make_field(directory, "lorenz", 5), "-o", out.string(),
+                               "--arrays", "eigenvalues,tensor,p,trace", "--isotropicity", "-0.5"});
   EXPECT_TRUE(outcome.code == 0 || outcome.code == 2) << outcome.err;
   EXPECT_THAT(report_in(out)["options"]["arrays"], ElementsAre("eigenvalues", "tensor", "trace"));
   for (const char* name : {"degenerate-planar", "triple-curve", "isotropicity-neg-0.5"}) {

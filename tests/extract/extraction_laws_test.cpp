@@ -61,7 +61,8 @@ TEST(ExtractionLaws, NumberingDoesNotMatter) {
   const Extraction a = extract(field, quick());
   const Extraction b = extract(test::relabelled(field, 20240229), quick());
   for (int f = 0; f < kStandardFeatures; ++f) {
-    EXPECT_TRUE(geometry(a.features[f]) == geometry(b.features[f])) << standard_features().rows()[f].name;
+    EXPECT_TRUE(geometry(a.features[f]) == geometry(b.features[f]))
+        << standard_features().rows()[f].name;
   }
   EXPECT_EQ(a.unresolved.size(), b.unresolved.size());
   EXPECT_EQ(a.refinement.bisections, b.refinement.bisections);
@@ -98,8 +99,10 @@ TEST(ExtractionLaws, NegationExchangesLinearAndPlanar) {
        {Feature::NeutralReal, Feature::NeutralReal},
        {Feature::NeutralComplex, Feature::NeutralComplex}}};
   for (const auto& [f, g] : pairs) {
-    EXPECT_TRUE(geometry(mesh_of(a, f)) == geometry(mesh_of(b, g))) << standard_features().row(f).name;
-    EXPECT_TRUE(geometry(mesh_of(a, g)) == geometry(mesh_of(b, f))) << standard_features().row(g).name;
+    EXPECT_TRUE(geometry(mesh_of(a, f)) == geometry(mesh_of(b, g)))
+        << standard_features().row(f).name;
+    EXPECT_TRUE(geometry(mesh_of(a, g)) == geometry(mesh_of(b, f)))
+        << standard_features().row(g).name;
   }
   EXPECT_EQ(a.unresolved.size(), b.unresolved.size());
 }

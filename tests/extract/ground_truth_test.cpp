@@ -157,8 +157,8 @@ TEST(SameFieldOnOtherMeshes, HasTheSameTopology) {
         if (!test::certified(result, static_cast<Feature>(f))) continue;
         const Topology t = topology_of(result.features[f]);
         if (known[f]) {
-          EXPECT_EQ(*known[f], t) << standard_features().rows()[f].name << ", seed " << seed << ", n "
-                                  << kind.n;
+          EXPECT_EQ(*known[f], t) << standard_features().rows()[f].name << ", seed " << seed
+                                  << ", n " << kind.n;
           ++compared;
         }
         known[f] = t;

@@ -45,8 +45,7 @@ TEST(MagnitudeSurface, IsASphereWhereItMustBe) {
   EXPECT_EQ(t.components, 1u);
   EXPECT_EQ(t.euler, 2);
   EXPECT_EQ(t.boundary_loops, 0u);
-  for (const auto& [x, y, z] : result.mesh(s).points)
-    EXPECT_NEAR(std::hypot(x, y, z), 0.75, 1e-12);
+  for (const auto& [x, y, z] : result.mesh(s).points) EXPECT_NEAR(std::hypot(x, y, z), 0.75, 1e-12);
   const double sphere = 4 * std::numbers::pi * 0.75 * 0.75;
   EXPECT_NEAR(area_approx(result.mesh(s).points, result.mesh(s).triangles), sphere, 0.06 * sphere);
   // Outward normals.

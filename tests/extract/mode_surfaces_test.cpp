@@ -26,7 +26,8 @@ TensorField lorenz(int n) {
 
 /// Modes from neutral through degenerate to balanced.
 const std::vector<ModeRatio>& ladder() {
-  static const std::vector<ModeRatio> modes = {{1, 1000}, {1, 2}, {999, 1000}, {1001, 1000}, {100, 1}};
+  static const std::vector<ModeRatio> modes = {
+      {1, 1000}, {1, 2}, {999, 1000}, {1001, 1000}, {100, 1}};
   return modes;
 }
 
@@ -82,19 +83,19 @@ TEST(ModeSurfaces, TurnContinuouslyIntoTheNamedOnes) {
                                  above_one = {{{11, 10}, {101, 100}, {10'001, 10'000}}},
                                  to_infinity = {{{10, 1}, {1000, 1}, {100'000, 1}}};
   const TensorField field = lorenz(6);
-  for (const Limit& limit : std::initializer_list<Limit>{
-           {Feature::NeutralReal, minus, plus, to_zero},
-           {Feature::NeutralReal, minus, minus, to_zero},
-           {Feature::NeutralComplex, plus, plus, to_zero},
-           {Feature::NeutralComplex, plus, minus, to_zero},
-           {Feature::DegenerateLinear, minus, plus, below_one},
-           {Feature::DegenerateLinear, minus, plus, above_one},
-           {Feature::DegeneratePlanar, minus, minus, below_one},
-           {Feature::DegeneratePlanar, minus, minus, above_one},
-           {Feature::BalancedLinear, minus, plus, to_infinity},
-           {Feature::BalancedLinear, plus, plus, to_infinity},
-           {Feature::BalancedPlanar, minus, minus, to_infinity},
-           {Feature::BalancedPlanar, plus, minus, to_infinity}}) {
+  for (const Limit& limit :
+       std::initializer_list<Limit>{{Feature::NeutralReal, minus, plus, to_zero},
+                                    {Feature::NeutralReal, minus, minus, to_zero},
+                                    {Feature::NeutralComplex, plus, plus, to_zero},
+                                    {Feature::NeutralComplex, plus, minus, to_zero},
+                                    {Feature::DegenerateLinear, minus, plus, below_one},
+                                    {Feature::DegenerateLinear, minus, plus, above_one},
+                                    {Feature::DegeneratePlanar, minus, minus, below_one},
+                                    {Feature::DegeneratePlanar, minus, minus, above_one},
+                                    {Feature::BalancedLinear, minus, plus, to_infinity},
+                                    {Feature::BalancedLinear, plus, plus, to_infinity},
+                                    {Feature::BalancedPlanar, minus, minus, to_infinity},
+                                    {Feature::BalancedPlanar, plus, minus, to_infinity}}) {
     ExtractionOptions options;
     options.features = bit(limit.named);
     std::array<Feature, 3> near{};
@@ -119,7 +120,8 @@ TEST(ModeSurfaces, AreWatertightUpToTheSpine) {
   GridOptions grid;
   grid.n = 5;
   grid.seed = 3;
-  const TensorField field = generate_noise(grid);  // no symmetry: distinct vertices, distinct points
+  const TensorField field =
+      generate_noise(grid);  // no symmetry: distinct vertices, distinct points
   ExtractionOptions options;
   options.max_bisections = 8;
   for (const Sign p : kSigns)

@@ -17,8 +17,8 @@ namespace {
 constexpr PeriodicAxes kAll = {true, true, true};
 
 template <std::size_t N>
-std::vector<std::array<std::uint32_t, N>> glued(
-    std::vector<std::array<std::uint32_t, N>> cells, const FeatureMesh& mesh) {
+std::vector<std::array<std::uint32_t, N>> glued(std::vector<std::array<std::uint32_t, N>> cells,
+                                                const FeatureMesh& mesh) {
   for (auto& cell : cells)
     for (std::uint32_t& v : cell) v = mesh.identified.at(v);
   return cells;

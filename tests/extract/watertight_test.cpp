@@ -72,8 +72,9 @@ TEST_P(WatertightTest, PagesEndOnTheDomainAndOnTheSpineOnly) {
       if (spine.count(ends_of(x, y))) {
         ++on_spine;
       } else {
-        EXPECT_TRUE(both_on_one_side(x, y, box)) << standard_features().rows()[page].name << " has a crack at "
-                                                 << x[0] << " " << x[1] << " " << x[2];
+        EXPECT_TRUE(both_on_one_side(x, y, box))
+            << standard_features().rows()[page].name << " has a crack at " << x[0] << " " << x[1]
+            << " " << x[2];
       }
     }
     // Every page is attached to all of the spine. (More only where coordinates coincide: in

@@ -86,9 +86,12 @@ TEST(Feature, PagesAreNumberedCounterClockwiseFromThePositivePAxis) {
     EXPECT_GT(angle(kTable.rows()[k]), angle(kTable.rows()[k - 1])) << kTable.rows()[k].name;
   }
   // Opposite pages lie on one sheet, but for the two halves of the degenerate surface.
-  EXPECT_EQ(kTable.sheet_number(Feature::NeutralReal), kTable.sheet_number(Feature::NeutralComplex));
-  EXPECT_EQ(kTable.sheet_number(Feature::BalancedLinear), kTable.sheet_number(Feature::BalancedPlanar));
-  EXPECT_NE(kTable.sheet_number(Feature::DegenerateLinear), kTable.sheet_number(Feature::DegeneratePlanar));
+  EXPECT_EQ(kTable.sheet_number(Feature::NeutralReal),
+            kTable.sheet_number(Feature::NeutralComplex));
+  EXPECT_EQ(kTable.sheet_number(Feature::BalancedLinear),
+            kTable.sheet_number(Feature::BalancedPlanar));
+  EXPECT_NE(kTable.sheet_number(Feature::DegenerateLinear),
+            kTable.sheet_number(Feature::DegeneratePlanar));
 }
 
 TEST(Feature, EveryPageLiesOnItsSheet) {

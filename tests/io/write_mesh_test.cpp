@@ -120,11 +120,10 @@ TEST(Ply, KeepsEveryDoubleAndEveryArray) {
   write_mesh(directory / "a.ply", MeshFormat::Ply, mesh, Feature::NeutralReal, extra());
   const Ply ply(file_content(directory / "a.ply"));
   EXPECT_EQ(ply.vertex_properties, (std::vector<std::string>{"x", "y", "z", "p", "q", "mode",
-                                                              "eigen_values_0", "eigen_values_1"}));
+                                                             "eigen_values_0", "eigen_values_1"}));
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    const std::array<double, 8> expected = {mesh.points[v][0], mesh.points[v][1],
-                                            mesh.points[v][2], mesh.p[v],
-                                            mesh.q[v],         mesh.mode[v],
+    const std::array<double, 8> expected = {mesh.points[v][0], mesh.points[v][1], mesh.points[v][2],
+                                            mesh.p[v],         mesh.q[v],         mesh.mode[v],
                                             1 + 2.0 * v,       2 + 2.0 * v};
     EXPECT_EQ(std::memcmp(&ply.values[8 * v], expected.data(), sizeof(expected)), 0) << v;
   }
@@ -159,9 +158,9 @@ TEST(Obj, ReadsBackAsTheSameDoubles) {
       const auto id = [](const std::string& s) {
         return static_cast<std::uint32_t>(std::stoul(s)) - 1;
       };
-      if (kind == "v") points.push_back({std::strtod(a.c_str(), nullptr),
-                                         std::strtod(b.c_str(), nullptr),
-                                         std::strtod(c.c_str(), nullptr)});
+      if (kind == "v")
+        points.push_back({std::strtod(a.c_str(), nullptr), std::strtod(b.c_str(), nullptr),
+                          std::strtod(c.c_str(), nullptr)});
       if (kind == "f") faces.push_back({id(a), id(b), id(c)});
       if (kind == "l") lines.push_back({id(a), id(b)});
     }
@@ -206,8 +205,8 @@ TEST(Vtp, CarriesFurtherArrays) {
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName((directory / "a.vtp").c_str());
   reader->Update();
-  auto* array = vtkDoubleArray::SafeDownCast(
-      reader->GetOutput()->GetPointData()->GetArray("eigen-values"));
+  auto* array =
+      vtkDoubleArray::SafeDownCast(reader->GetOutput()->GetPointData()->GetArray("eigen-values"));
   ASSERT_NE(array, nullptr);
   EXPECT_EQ(array->GetNumberOfComponents(), 2);
   EXPECT_EQ(array->GetValue(7), 8);

@@ -35,7 +35,8 @@ unsigned allowed_sectors(const RefinedComplex& complex, const Leaf& leaf) {
       rotation[i][j] = r;
       rotation[j][i] = -r;
       for (int k = 0; k <= std::abs(r); ++k)
-        allowed |= 1u << ((index(sector(i)) + (r > 0 ? k : -k) + 2 * kStandardPages) % kStandardPages);
+        allowed |=
+            1u << ((index(sector(i)) + (r > 0 ? k : -k) + 2 * kStandardPages) % kStandardPages);
     }
   for (const auto& f : {std::array{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}})
     if (rotation[f[0]][f[1]] + rotation[f[1]][f[2]] + rotation[f[2]][f[0]] != 0) return kAllSectors;

@@ -17,9 +17,9 @@ Sign uniform_sign_of_p(const Simplex<N>& simplex, SignStages& stages);
 template <int N>
 Sign uniform_sign_of_q(const Simplex<N>& simplex, SignStages& stages);
 
-/// No point of the page that a curved sheet carries, seen through its map: q = s 2 w^3, p <= 0 (s the
-/// page's sign of q): all control points (p_ijk, q_ijk) lie beyond the convex curve, or all on the
-/// inner side of one of its tangents. \pre the sheet is curved.
+/// No point of the page that a curved sheet carries, seen through its map: q = s 2 w^3, p <= 0 (s
+/// the page's sign of q): all control points (p_ijk, q_ijk) lie beyond the convex curve, or all on
+/// the inner side of one of its tangents. \pre the sheet is curved.
 template <int N>
 bool excludes_page(const Simplex<N>& simplex, const Sheet& sheet, SignStages& stages);
 

@@ -28,8 +28,8 @@ Certainty side_by_filter(const LevelSet& level, const Tensor<double>& t, const E
                          int scale);
 Certainty exact_side(const LevelSet& level, const Tensor<Exact>& t);
 
-/// Certifies the requested level sets on one tet with its faces and edges, and adds what it finds to
-/// the certificate: only the tensors at outside vertices need proof, a hyperplane that separates
+/// Certifies the requested level sets on one tet with its faces and edges, and adds what it finds
+/// to the certificate: only the tensors at outside vertices need proof, a hyperplane that separates
 /// them from the convex set. Guarantee: of a level set in `graph` the tet holds one disc, as the
 /// sides of its vertices say; of one in `excluded` nothing. Source: proofs/level_set.md.
 /// \pre `sides` has an entry for every vertex of the field; vertices ascending.

@@ -69,7 +69,8 @@ struct ExtractionOptions {
   FeatureTable table;
   FeatureSet features = kStandardSet;  ///< rows of the table
   /// Opposite sides of the domain that are one: the meshes on them match point by point, and
-  /// `FeatureMesh::identified` says which points are one. \throw BadInput if they do not correspond.
+  /// `FeatureMesh::identified` says which points are one. \throw BadInput if they do not
+  /// correspond.
   PeriodicAxes periodic{};
   /// Fill `FeatureMesh::tensors`.
   bool keep_tensors = false;

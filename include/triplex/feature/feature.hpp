@@ -59,8 +59,8 @@ enum class FeatureKind : std::uint8_t {
 struct FeatureRow {
   Feature feature;
   FeatureKind kind;
-  std::string name;   ///< file stem and JSON key
-  std::string title;  ///< for people
+  std::string name;             ///< file stem and JSON key
+  std::string title;            ///< for people
   Sign sign_p, sign_q;          ///< on a page; both zero for the other kinds
   ModeRatio mode;               ///< of a page
   LevelSet level;               ///< of a level set

@@ -39,10 +39,10 @@ class FeatureTable {
   /// The seven standard rows.
   FeatureTable();
 
-  /// The mode surface (mu, sign p, sign q): q = sign(q) mu 2 w^3, w = sqrt(|p|/3). Special modes are
-  /// the named pages: mu = 0 neutral, where sign q does not count, mu = infinity balanced, where sign
-  /// p does not (either may be Zero there, and only there), mu = 1 with p < 0 degenerate. A row that
-  /// exists is returned as it is. \throw BadFeature.
+  /// The mode surface (mu, sign p, sign q): q = sign(q) mu 2 w^3, w = sqrt(|p|/3). Special modes
+  /// are the named pages: mu = 0 neutral, where sign q does not count, mu = infinity balanced,
+  /// where sign p does not (either may be Zero there, and only there), mu = 1 with p < 0
+  /// degenerate. A row that exists is returned as it is. \throw BadFeature.
   Feature add_mode(ModeRatio mu, Sign sign_p, Sign sign_q);
   /// |T| = s. \throw BadFeature unless s > 0 is finite.
   Feature add_magnitude(double s);

@@ -13,8 +13,8 @@
 
 namespace triplex {
 
-/// A tensor at a vertex (the tripled deviator 3 T - tr(T) I, or T itself) in doubles, scaled by a power of two that all
-/// vertices of the field share, with its proven error.
+/// A tensor at a vertex (the tripled deviator 3 T - tr(T) I, or T itself) in doubles, scaled by a
+/// power of two that all vertices of the field share, with its proven error.
 struct ApproximateTensor {
   Tensor<double> a;
   EntryBounds bounds;
