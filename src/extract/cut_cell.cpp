@@ -55,7 +55,8 @@ void CellCutter::cut_face(const Leaf& leaf, int face, Polygons& pieces) {
       face_.add_crossing(ranges_.crossings + edge->first + (a < b ? n : pages - 1 - n),
                          (edge->rotation > 0) == (a < b));
   }
-  // The arcs are those of the patches: two vertices in a row lie on one face, or on the spine's arc.
+  // The arcs are those of the patches: two vertices in a row lie on one face, or on the spine's
+  // arc.
   for (const PatchLoop& loop : patches_.loops)
     for (std::size_t i = 0; i < loop.size; ++i) {
       const PatchVertex &a = loop[i], &b = loop[(i + 1) % loop.size];

@@ -26,8 +26,8 @@ struct CutCell {
 };
 
 /// Cuts tets along the patches of all pages, by combinatorics alone. A piece is a polygon of a face
-/// or a triangle of a patch, taken once for each side; pieces in one sector that share an edge bound
-/// one region. Guarantee: every piece inside the tet belongs to two regions, with opposite
+/// or a triangle of a patch, taken once for each side; pieces in one sector that share an edge
+/// bound one region. Guarantee: every piece inside the tet belongs to two regions, with opposite
 /// orientations, every boundary is closed, and neighbouring tets cut their common face alike;
 /// certified or not. Source: proofs/domains.md.
 class CellCutter {

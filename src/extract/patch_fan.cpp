@@ -40,7 +40,8 @@ std::size_t fan_apex(const PatchLoop& loop, const EdgeCrossings& crossings) {
     return crossings.crossings()[loop[(apex + i) % 4].number].position;
   };
   // The diagonal has no end on the spine only if no corner has: the apex comes first.
-  const bool other = squared_distance(corner(1), corner(3)) < squared_distance(corner(0), corner(2));
+  const bool other =
+      squared_distance(corner(1), corner(3)) < squared_distance(corner(0), corner(2));
   return other ? (apex + 1) % 4 : apex;
 }
 

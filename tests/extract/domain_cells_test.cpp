@@ -192,7 +192,8 @@ TEST_P(DomainCellsTest, TouchInWholePolygons) {
       // common, and a triangle may lie in a face, for both tets there.
       EXPECT_EQ(one, other);
       const auto proven = [&](std::size_t c) { return mesh().certified[c] != 0; };
-      if (std::ranges::any_of(sides.cells[0], proven) || std::ranges::any_of(sides.cells[1], proven)) {
+      if (std::ranges::any_of(sides.cells[0], proven) ||
+          std::ranges::any_of(sides.cells[1], proven)) {
         EXPECT_EQ(one, 1u);
       }
     }
@@ -221,8 +222,8 @@ TEST_P(DomainCellsTest, AreBoundedByTheFeatures) {
       EXPECT_EQ(domains.size(), 1u);
       continue;
     }
-    auto& found = between[sorted({mesh().points[polygon[0]], mesh().points[polygon[1]],
-                                  mesh().points[polygon[2]]})];
+    auto& found = between[sorted(
+        {mesh().points[polygon[0]], mesh().points[polygon[1]], mesh().points[polygon[2]]})];
     found.insert(domains.begin(), domains.end());
   }
   std::size_t standard = 0;
@@ -255,7 +256,8 @@ TEST_P(DomainCellsTest, AreLabelledLikeTheField) {
   std::size_t looked_at = 0;
   for (std::size_t c = 0; c < mesh().cells(); ++c) {
     std::set<std::uint32_t> corners;
-    for (const Ids& polygon : polygons_of(mesh(), c)) corners.insert(polygon.begin(), polygon.end());
+    for (const Ids& polygon : polygons_of(mesh(), c))
+      corners.insert(polygon.begin(), polygon.end());
     Tensor<double> mean{};
     std::size_t known = 0;
     for (const std::uint32_t v : corners) {
