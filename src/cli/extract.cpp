@@ -19,6 +19,7 @@
 #include "triplex/extract/extraction.hpp"
 #include "triplex/io/atomic_file.hpp"
 #include "triplex/io/read_field.hpp"
+#include "triplex/io/write_domains.hpp"
 #include "triplex/io/write_mesh.hpp"
 #include "triplex/tensor/point_arrays.hpp"
 
@@ -47,6 +48,7 @@ Extraction extract_with_progress(const TensorField& field, const ExtractRequest&
   options.table = requested.table;
   options.features = requested.set;
   options.keep_tensors = !request.arrays.empty();
+  options.domains = request.domains;
   options.periodic = parse_axes(request.periodic);
   options.max_bisections = request.max_bisections;
   options.threads = request.threads;
@@ -94,6 +96,7 @@ void write_results(const ExtractRequest& request, const TensorField& field,
   }
   if (std::ranges::count(request.formats, MeshFormat::Vtp) > 0)
     write_collection(directory.stage("features.vtpc"), names_of(table, table.all()));
+  if (request.domains) write_domains(directory.stage("domains.vtu"), extraction.domains);
   steps.timing.write = steps.step.lap();
   steps.timing.total = steps.total.lap();
   write_text_file(directory.stage("report.json"),
@@ -168,6 +171,8 @@ void add_extract(CLI::App& program, Action& action) {
       ->delimiter(',')
       ->type_name("A,B,...")
       ->default_str("vtp");
+  command->add_flag("--domains", request->domains,
+                    "Also domains.vtu: the domain cut by all pages into cells");
   add_periodic_option(*command, request->periodic,
                       "Opposite sides across these axes are one; their tensors must be equal");
   command

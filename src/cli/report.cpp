@@ -57,6 +57,7 @@ Json options_json(const ExtractRequest& request) {
   json.update({{"arrays", request.arrays},
                {"formats", formats},
                {"periodic", request.periodic},
+               {"domains", request.domains},
                {"max_bisections", request.max_bisections},
                {"threads", request.threads},
                {"tensor", request.reading.tensor_name},
@@ -95,6 +96,13 @@ Json features_json(const Extraction& extraction, const FeatureSummaries& summari
     const FeatureSummary& summary = summaries[index(f)];
     json[row.name] = row.kind == FeatureKind::Curve ? curve_json(summary) : surface_json(summary);
   }
+  return json;
+}
+
+Json domains_json(const DomainMesh& mesh) {
+  Json json = Json::object();
+  const auto volumes = domain_volumes_approx(mesh);
+  for (std::size_t d = 0; d < kDomains; ++d) json[name_of(static_cast<Domain>(d))] = volumes[d];
   return json;
 }
 
@@ -167,6 +175,7 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
   report["sign_stages"] = {
       {"filter", stages.filter}, {"interval", stages.interval}, {"exact", stages.exact}};
   report["features"] = features_json(extraction, summaries);
+  if (request.domains) report["domains"] = domains_json(extraction.domains);
   report["unresolved"] = unresolved_json(extraction);
   report["timing_s"] = {{"read", timing.read},
                         {"refine", extraction.timing.refine_s},
@@ -201,6 +210,9 @@ std::string make_table(const Extraction& extraction, const FeatureSummaries& sum
                      s.boundary_loops, summary.measure, summary.unresolved);
     }
   }
+  if (const DomainMesh& domains = extraction.domains; domains.cells() > 0)
+    fmt::format_to(out, "domains: {} cells, {} of them cut out by pages\n", domains.cells(),
+                   domains.polyhedra());
   const std::size_t open = extraction.unresolved.size();
   if (open == 0) {
     fmt::format_to(out, "certified: every cell is decided\n");

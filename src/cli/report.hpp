@@ -44,6 +44,7 @@ struct ExtractRequest {
   std::vector<std::string> periodic;  ///< axes
   std::uint32_t max_bisections = 0;
   unsigned threads = 0;
+  bool domains = false;
   bool quiet = false;
 };
 

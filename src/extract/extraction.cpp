@@ -11,6 +11,7 @@
 #include <array>
 #include <chrono>
 
+#include "domain_cells.hpp"
 #include "feature_mesh.hpp"
 #include "triplex/arithmetic/fp_environment.hpp"
 #include "triplex/refine/refine.hpp"
@@ -139,10 +140,15 @@ std::vector<UnresolvedTet> unresolved_tets(const TensorField& input, const Refin
   return result;
 }
 
+/// What is certified: what is asked for, and all that cuts the domain if that is.
+FeatureSet certified_features(const ExtractionOptions& options) {
+  return options.domains ? options.features | book_of(options.table) : options.features;
+}
+
 RefineOptions refine_options(const TensorField& field, const ExtractionOptions& options) {
   RefineOptions r;
   r.table = options.table;
-  r.features = options.features;
+  r.features = certified_features(options);
   r.periodic = options.periodic;
   r.max_bisections = options.max_bisections;
   r.max_tets = kGrowth * field.mesh.tets.size() + kRoom;
@@ -164,21 +170,23 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
 
   // Vertices, edges, faces, cells.
   report("extract");
+  const FeatureSet certified = certified_features(options);
   const VertexLabels labels = labels_of(complex, options.table);
   const std::vector<std::uint32_t> active = active_leaves(complex, labels);
   SignStages stages = complex.sign_stages;
-  const EdgeCrossings crossings(complex, options.table, labels, active, options.features, stages);
+  const EdgeCrossings crossings(complex, options.table, labels, active, certified, stages);
   const FaceSpinePoints spine_points(complex, labels, active, crossings);
-  open_unsettled(crossings, spine_points, active, options.features, complex);
+  open_unsettled(crossings, spine_points, active, certified, complex);
   report("mesh");
   result.table = options.table;
   result.requested = options.features;
   result.features =
       FeatureMeshBuilder(field, complex, crossings, spine_points, options.keep_tensors)
           .build(active, options.features);
+  if (options.domains) result.domains = domain_cells(field, complex, crossings, spine_points);
 
   result.sign_stages = stages;
-  result.certificates = count_certificates(complex, options.features);
+  result.certificates = count_certificates(complex, certified);
   result.refinement = {complex.rounds, complex.bisections, complex.leaves.size()};
   result.unresolved = unresolved_tets(field, complex, options);
   for (const Crossing& c : crossings.crossings())

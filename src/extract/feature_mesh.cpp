@@ -7,18 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
+
+#include "patch_fan.hpp"
 
 namespace triplex {
 namespace {
 
 constexpr std::size_t kChunk = 4096;  // leaves per part; parts are joined in order
-
-double squared_distance(const Point& a, const Point& b) {
-  double s = 0;
-  for (int k = 0; k < 3; ++k) s += (a[k] - b[k]) * (a[k] - b[k]);
-  return s;
-}
 
 /// p, q and mode with the values that the feature has by definition put in.
 std::array<double, 3> on_feature(const FeatureTable& table, Feature feature, double p, double q) {
@@ -39,23 +34,6 @@ std::array<double, 3> on_feature(const FeatureTable& table, Feature feature, dou
     }
   }
   return {p, q, 0};
-}
-/// The vertex from which a loop is fanned. It must not depend on where the loop starts or which way
-/// it runs. No diagonal should lie in a face of the tet, where a neighbour might use it too (this
-/// can only happen in open tets, where a page may have two arcs on a face); then a spine point;
-/// then the lowest.
-std::size_t apex_of(const PatchLoop& loop) {
-  const std::size_t n = loop.size;
-  const auto rank = [&](std::size_t i) {
-    int diagonals_in_faces = 0;
-    for (std::size_t k = 2; k + 1 < n; ++k)
-      diagonals_in_faces += (loop[i].faces & loop[(i + k) % n].faces) != 0;
-    return std::tuple(diagonals_in_faces, !loop[i].on_spine, loop[i].number);
-  };
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < n; ++i)
-    if (rank(i) < rank(best)) best = i;
-  return best;
 }
 
 constexpr std::array<double, 3> kOnSpine = {0, 0, std::numeric_limits<double>::quiet_NaN()};
@@ -110,16 +88,10 @@ void FeatureMeshBuilder::add_leaf(const Leaf& leaf, FeatureSet features, CellPat
 
 void FeatureMeshBuilder::add_fan(const PatchLoop& loop, std::int64_t source, bool certified,
                                  std::vector<Cell>& out) const {
-  const std::size_t n = loop.size;
-  std::size_t apex = apex_of(loop);
-  if (n == 4 && !loop[apex].on_spine) {
-    const auto corner = [&](std::size_t i) { return position(loop[(apex + i) % 4]); };
-    if (squared_distance(corner(1), corner(3)) < squared_distance(corner(0), corner(2)))
-      apex = (apex + 1) % 4;
-  }
-  for (std::size_t i = 1; i + 1 < n; ++i)
-    out.push_back(
-        {{loop[apex], loop[(apex + i) % n], loop[(apex + i + 1) % n]}, source, certified});
+  for_each_triangle(loop, crossings_,
+                    [&](const PatchVertex& a, const PatchVertex& b, const PatchVertex& c) {
+                      out.push_back({{a, b, c}, source, certified});
+                    });
 }
 
 FeatureMesh FeatureMeshBuilder::assemble(Feature feature, const std::vector<Cells>& parts) const {

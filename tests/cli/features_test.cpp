@@ -8,8 +8,10 @@
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkXMLPartitionedDataSetCollectionReader.h>
 #include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -117,6 +119,33 @@ TEST(Formats, AllHoldTheSameMesh) {
     const std::size_t triangles = numbers.contains("triangles") ? cells : 0;
     EXPECT_EQ(fs::file_size(out / (name + ".stl")), 84 + 50 * triangles) << name;
   }
+}
+
+TEST(Domains, AreWrittenAndReportedOnRequest) {
+  const TemporaryDirectory directory;
+  const fs::path out = directory / "out";
+  const std::string field = make_field(directory, "lorenz", 5);
+  const Outcome outcome =
+      run({"extract", field, "-o", out.string(), "--features", "neutral-real", "--domains"});
+  EXPECT_TRUE(outcome.code == 0 || outcome.code == 2) << outcome.err;
+  const json report = report_in(out);
+  EXPECT_EQ(report["options"]["domains"], true);
+  EXPECT_EQ(report["domains"].size(), 6u);
+  double volume = 0;
+  for (const auto& [name, share] : report["domains"].items()) volume += share.get<double>();
+  EXPECT_NEAR(volume, 60.0 * 60 * 60, 1e-9 * 60 * 60 * 60);
+  EXPECT_GT(report["domains"]["real-linear"], 0);
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName((out / "domains.vtu").c_str());
+  reader->Update();
+  const vtkIdType cells = reader->GetOutput()->GetNumberOfCells();
+  EXPECT_GT(cells, 6 * 5 * 5 * 5);
+  EXPECT_THAT(outcome.out, HasSubstr("domains: " + std::to_string(cells) + " cells"));
+
+  const fs::path without = directory / "without";
+  run({"extract", field, "-o", without.string()});
+  EXPECT_FALSE(fs::exists(without / "domains.vtu"));
+  EXPECT_FALSE(report_in(without).contains("domains"));
 }
 
 TEST(Formats, WithoutVtpNoCollectionIsWritten) {

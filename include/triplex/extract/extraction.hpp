@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "triplex/arithmetic/sign.hpp"
+#include "triplex/extract/domain_mesh.hpp"
 #include "triplex/feature/feature_table.hpp"
 #include "triplex/field/periodic.hpp"
 #include "triplex/field/tensor_field.hpp"
@@ -74,6 +75,8 @@ struct ExtractionOptions {
   PeriodicAxes periodic{};
   /// Fill `FeatureMesh::tensors`.
   bool keep_tensors = false;
+  /// Fill `Extraction::domains`. All pages of the table and the curve are certified then.
+  bool domains = false;
   /// Bisections that one tet of the input may ask for before it is reported as unresolved.
   std::uint32_t max_bisections = 64;
   /// 0: all cores.
@@ -91,6 +94,8 @@ struct Extraction {
   FeatureSet requested = 0;
   std::vector<FeatureMesh> features;  ///< one per row of the table; empty where not asked for
   const FeatureMesh& mesh(Feature f) const { return features[index(f)]; }
+  /// The domain cut by all pages of the table. Empty unless `ExtractionOptions::domains`.
+  DomainMesh domains;
   CertificateCounts certificates;
   RefinementStatistics refinement;
   SignStages sign_stages;
