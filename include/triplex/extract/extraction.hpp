@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "triplex/arithmetic/sign.hpp"
+#include "triplex/extract/nodes.hpp"
 #include "triplex/feature/feature_table.hpp"
 #include "triplex/field/periodic.hpp"
 #include "triplex/field/tensor_field.hpp"
@@ -57,9 +58,9 @@ struct RefinementStatistics {
   std::uint64_t rounds = 0, bisections = 0, tets = 0;
 };
 
-/// Seconds of wall time: refinement with certification, and extraction.
+/// Seconds of wall time: refinement with certification, the search for nodes, and extraction.
 struct ExtractionTiming {
-  double refine_s = 0, extract_s = 0;
+  double refine_s = 0, nodes_s = 0, extract_s = 0;
 };
 
 /// Called from the calling thread between steps: name of the step, done in [0,1] or < 0 if unknown.
@@ -90,6 +91,10 @@ struct Extraction {
   FeatureSet requested = 0;
   std::vector<FeatureMesh> features;  ///< one per row of the table; empty where not asked for
   const FeatureMesh& mesh(Feature f) const { return features[index(f)]; }
+  /// The nodes on the degenerate surfaces asked for, by position, and the tets of the input where
+  /// some may be missing.
+  std::vector<Node> nodes;
+  std::vector<NodesUndecided> nodes_undecided;
   CertificateCounts certificates;
   RefinementStatistics refinement;
   SignStages sign_stages;
