@@ -130,9 +130,11 @@ void set_middle(Node& node) {
 
 /// The nodes of a tet's linear field that may lie in the closed tet.
 std::vector<Candidate> candidates_of(const TensorField& input, const RefinableField& field,
-                                     const Task& task, const std::vector<IsolatedNode>& nodes) {
+                                     const Task& task, FeatureSet features,
+                                     const std::vector<IsolatedNode>& nodes) {
   std::vector<Candidate> candidates;
   for (const IsolatedNode& found : nodes) {
+    if (!contains(features, found.feature)) continue;
     const std::array<Range, 4> x = {found.first, found.box[0], found.box[1], found.box[2]};
     if (std::ranges::any_of(x, [](const Range& r) { return r.hi < 0; })) continue;
     Candidate c;
@@ -236,7 +238,7 @@ NodeSearch find_nodes(const TensorField& input, const RefinedComplex& complex,
   tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t n) {
     const TetNodes found = isolate_nodes(complex.field, tasks[n].vertices, tasks[n].features);
     obstacles[n] = found.obstacle;
-    candidates[n] = candidates_of(input, complex.field, tasks[n], found.nodes);
+    candidates[n] = candidates_of(input, complex.field, tasks[n], features, found.nodes);
   });
   search.nodes = merge(candidates);
   for (std::size_t n = 0; n < tasks.size(); ++n)

@@ -10,6 +10,8 @@
 #include "../oracle/rational_oracle.hpp"
 #include "fields.hpp"
 #include "newton_oracle.hpp"
+#include "triplex/arithmetic/fp_environment.hpp"
+#include "triplex/certify/node.hpp"
 
 namespace triplex {
 namespace {
@@ -20,6 +22,7 @@ Extraction extract_degenerate(const TensorField& field, unsigned threads = 0) {
   ExtractionOptions options;
   options.features = kDegenerate;
   options.threads = threads;
+  options.max_bisections = 4;  // the search does not need small leaves
   return extract(field, options);
 }
 
@@ -157,12 +160,35 @@ TEST(AbcNodes, FourOnEachSurface) {
   EXPECT_EQ(linear, 4);
   EXPECT_EQ(result.nodes.size(), 8u);
   for (const Node& node : result.nodes) EXPECT_EQ(node.status, NodeStatus::Proven);
-  // A tet with a node cannot be certified, and says why.
+  // A tet with a node cannot be certified, and says so.
   for (const Node& node : result.nodes) {
     const auto tet = std::ranges::find(result.unresolved, node.source_cell,
                                        &UnresolvedTet::source_cell);
     ASSERT_NE(tet, result.unresolved.end());
     EXPECT_NE(tet->reason.find("contains a node"), std::string::npos);
+  }
+}
+
+/// Tets without open leaves hold no node: searching all of them finds the same.
+TEST(NoiseNodes, AreThoseOfAllTets) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    const TensorField field = generate_noise(grid(4, 0.2, CellSplit::Five, seed));
+    ExtractionOptions options;
+    options.max_bisections = 24;
+    const Extraction result = extract(field, options);
+    EXPECT_TRUE(result.nodes_undecided.empty());
+    expect_sound(field, result);
+    std::size_t closed = field.mesh.tets.size() - result.unresolved.size(), inside = 0;
+    const RefinableField refinable(field);
+    with_fp_environment([&] {
+      for (const auto& tet : refinable.input_tets())
+        for (const IsolatedNode& node : isolate_nodes(refinable, tet, kDegenerate).nodes)
+          inside += node.first.lo > 0 && node.box[0].lo > 0 && node.box[1].lo > 0 &&
+                    node.box[2].lo > 0;
+    });
+    EXPECT_EQ(result.nodes.size(), inside);
+    EXPECT_GT(inside, 50u);
+    EXPECT_GT(closed, 20u);
   }
 }
 
