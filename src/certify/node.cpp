@@ -42,10 +42,8 @@ std::optional<Halves> bisected(const NodeCell& cell) {
   if (from == to || bits > kMostBits || cell.level >= kMostLevels) return std::nullopt;
   Tensor<double> tensor;
   std::array<double, 3> corner;
-  for (std::size_t k = 0; k < 9; ++k)
-    tensor[k] = (cell.tensors[from][k] + cell.tensors[to][k]) / 2;
-  for (std::size_t k = 0; k < 3; ++k)
-    corner[k] = (cell.corners[from][k] + cell.corners[to][k]) / 2;
+  for (std::size_t k = 0; k < 9; ++k) tensor[k] = (cell.tensors[from][k] + cell.tensors[to][k]) / 2;
+  for (std::size_t k = 0; k < 3; ++k) corner[k] = (cell.corners[from][k] + cell.corners[to][k]) / 2;
   Halves halves{cell, cell};
   for (auto [half, replaced] : {std::pair{&halves.low, to}, {&halves.high, from}}) {
     half->tensors[replaced] = tensor;
@@ -150,9 +148,8 @@ class NodeSearchInTet {
   }
 
   bool is_covered(const NodeBox& box) const {
-    return std::ranges::any_of(result_.nodes, [&](const IsolatedNode& node) {
-      return contains(node.domain, box);
-    });
+    return std::ranges::any_of(
+        result_.nodes, [&](const IsolatedNode& node) { return contains(node.domain, box); });
   }
 
   /// Newton from the middle; what is near and not known yet is to be proven. False if that fails.

@@ -87,7 +87,8 @@ std::size_t largest_entry(const Tensor<double>& b) {
 Eigen::Matrix4d to_eigen(const Matrix<double>& m) {
   Eigen::Matrix4d r;
   for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) r(i, j) = m[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    for (int j = 0; j < 4; ++j)
+      r(i, j) = m[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
   return r;
 }
 
@@ -114,7 +115,7 @@ class Krawczyk {
   /// K(Z) = m - C f(m) + (I - C J(Z)) (Z - m), m in Z; nothing if the pivot or l may vanish on Z.
   std::optional<Box> operator()(const Box& z) const {
     const Tensor<Interval> b = pencil_.at(z);
-    if (certainly_zero_free(b[minors_.pivot]) == false || !certainly_zero_free(z[3])) return {};
+    if (!certainly_zero_free(b[minors_.pivot]) || !certainly_zero_free(z[3])) return {};
     const Matrix<Interval> jacobian = minors_.jacobian(b, pencil_);
     Box m;
     for (std::size_t k = 0; k < 4; ++k) m[k] = Interval(z[k].inf() + (z[k].sup() - z[k].inf()) / 2);
@@ -241,8 +242,8 @@ NodeProof::NodeProof(const std::array<Tensor<Exact>, 4>& tensors) {
       tensors_[i][k] = enclosure(i == 0 ? tensors[0][k] : tensors[i][k] - tensors[0][k]);
       approximate_[i][k] = CGAL::to_double(tensors[i][k]);
       if (i > 0)
-        variation_ = std::max(
-            variation_, std::max(std::fabs(tensors_[i][k].lo), std::fabs(tensors_[i][k].hi)));
+        variation_ = std::max(variation_,
+                              std::max(std::fabs(tensors_[i][k].lo), std::fabs(tensors_[i][k].hi)));
     }
 }
 

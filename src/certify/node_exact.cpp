@@ -65,7 +65,8 @@ std::vector<std::int64_t> denominators() {
 }  // namespace
 
 // With P != 0 and l = Q / (2 P) the matrix 2 P A' - Q I is a multiple of A' - l I; its 2 x 2 minors
-// vanish exactly if that has rank one (it is not zero, for A' has no trace). Source: proofs/node.md.
+// vanish exactly if that has rank one (it is not zero, for A' has no trace). Source:
+// proofs/node.md.
 bool is_node(const Tensor<Exact>& a) {
   const Forms<Exact, 1> f = forms_of<Exact, 1>({a});
   if (f.p[0].is_zero()) return false;

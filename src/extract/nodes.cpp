@@ -38,11 +38,10 @@ struct Candidate {
 
 std::vector<std::uint8_t> nodes_at_vertices(const RefinableField& field) {
   std::vector<std::uint8_t> found(field.vertex_count());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.size(), 1024),
-                    [&](const auto& range) {
-                      for (std::size_t v = range.begin(); v < range.end(); ++v)
-                        found[v] = is_node(field, VertexId(v));
-                    });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.size(), 1024), [&](const auto& range) {
+    for (std::size_t v = range.begin(); v < range.end(); ++v)
+      found[v] = is_node(field, VertexId(v));
+  });
   return found;
 }
 
@@ -175,8 +174,7 @@ std::vector<Node> merge_shared(std::vector<Node> shared) {
     Node all = node;
     // A hull may meet others than its parts did, so those before are asked again.
     for (bool grown = true; grown;) {
-      const auto other =
-          std::ranges::find_if(merged, [&](const Node& m) { return meet(m, all); });
+      const auto other = std::ranges::find_if(merged, [&](const Node& m) { return meet(m, all); });
       grown = other != merged.end();
       if (!grown) break;
       for (std::size_t k = 0; k < 3; ++k) join(all.enclosure[k], other->enclosure[k]);

@@ -57,8 +57,7 @@ double residual(const TensorField& field, const Node& node) {
     auto part = x;
     part[i] = point;
     const mpq_class weight = volume(part[0], part[1], part[2], part[3]) / whole;
-    for (std::size_t k = 0; k < 9; ++k)
-      a[k] += weight * mpq_class(field.tensors[index(tet[i])][k]);
+    for (std::size_t k = 0; k < 9; ++k) a[k] += weight * mpq_class(field.tensors[index(tet[i])][k]);
   }
   const mpq_class mean = (a[0] + a[4] + a[8]) / 3;
   for (const std::size_t k : {0u, 4u, 8u}) a[k] -= mean;
@@ -162,8 +161,8 @@ TEST(AbcNodes, FourOnEachSurface) {
   for (const Node& node : result.nodes) EXPECT_EQ(node.status, NodeStatus::Proven);
   // A tet with a node cannot be certified, and says so.
   for (const Node& node : result.nodes) {
-    const auto tet = std::ranges::find(result.unresolved, node.source_cell,
-                                       &UnresolvedTet::source_cell);
+    const auto tet =
+        std::ranges::find(result.unresolved, node.source_cell, &UnresolvedTet::source_cell);
     ASSERT_NE(tet, result.unresolved.end());
     EXPECT_NE(tet->reason.find("contains a node"), std::string::npos);
   }
@@ -183,8 +182,8 @@ TEST(NoiseNodes, AreThoseOfAllTets) {
     with_fp_environment([&] {
       for (const auto& tet : refinable.input_tets())
         for (const IsolatedNode& node : isolate_nodes(refinable, tet, kDegenerate).nodes)
-          inside += node.first.lo > 0 && node.box[0].lo > 0 && node.box[1].lo > 0 &&
-                    node.box[2].lo > 0;
+          inside +=
+              node.first.lo > 0 && node.box[0].lo > 0 && node.box[1].lo > 0 && node.box[2].lo > 0;
     });
     EXPECT_EQ(result.nodes.size(), inside);
     EXPECT_GT(inside, 50u);
@@ -196,11 +195,13 @@ TEST(NoiseNodes, AreThoseOfAllTets) {
 TEST(RandomLinearFields, HaveTheNodesOfTheOracleOnEveryMesh) {
   std::size_t total = 0, most = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    const auto expected = oracle::nodes_of_linear_field(generate_random_linear(grid(1, 0, CellSplit::Six, seed)));
+    const auto expected =
+        oracle::nodes_of_linear_field(generate_random_linear(grid(1, 0, CellSplit::Six, seed)));
     total += expected.size();
     most = std::max(most, expected.size());
-    for (const GridOptions& mesh : {grid(1, 0, CellSplit::Six, seed), grid(2, 0, CellSplit::Five, seed),
-                                    grid(4, 0.3, CellSplit::Six, seed)}) {
+    for (const GridOptions& mesh :
+         {grid(1, 0, CellSplit::Six, seed), grid(2, 0, CellSplit::Five, seed),
+          grid(4, 0.3, CellSplit::Six, seed)}) {
       const TensorField field = generate_random_linear(mesh);
       const Extraction result = extract_degenerate(field);
       EXPECT_TRUE(result.nodes_undecided.empty());
@@ -222,7 +223,8 @@ class Laws : public testing::Test {
   }
   static std::uint64_t seed_with_nodes() {
     for (std::uint64_t seed = 1;; ++seed)
-      if (oracle::nodes_of_linear_field(generate_random_linear(grid(1, 0, CellSplit::Six, seed))).size() >= 2)
+      if (oracle::nodes_of_linear_field(generate_random_linear(grid(1, 0, CellSplit::Six, seed)))
+              .size() >= 2)
         return seed;
   }
   TensorField field_;

@@ -29,10 +29,10 @@ std::string_view name_of(NodeStatus status);
 /// A node: a point of a degenerate surface where the double eigenvalue has two independent
 /// eigenvectors. The surface is a double cone there.
 struct Node {
-  Point position{};                     ///< the middle of the enclosure
-  std::array<Range, 3> enclosure{};     ///< of the position, rounded outwards
-  double eigenvalue = 0;                ///< the double eigenvalue l of the deviator, tensor units
-  Range eigenvalue_enclosure;           ///< of l, rounded outwards
+  Point position{};                  ///< the middle of the enclosure
+  std::array<Range, 3> enclosure{};  ///< of the position, rounded outwards
+  double eigenvalue = 0;             ///< the double eigenvalue l of the deviator, tensor units
+  Range eigenvalue_enclosure;        ///< of l, rounded outwards
   Feature feature = Feature::DegenerateLinear;  ///< linear if l < 0, planar if l > 0
   NodeStatus status = NodeStatus::Shared;
   TetId tet{};                   ///< a tet of the input that holds it; the first of several
@@ -56,7 +56,6 @@ struct NodeSearch {
 /// isolated node is missing (the proof says what isolated means on faces and edges). The result
 /// does not depend on threads; up to `tet`, nor on the numbering of the input.
 /// Source: proofs/node.md.
-NodeSearch find_nodes(const TensorField& input, const RefinedComplex& complex,
-                      FeatureSet features);
+NodeSearch find_nodes(const TensorField& input, const RefinedComplex& complex, FeatureSet features);
 
 }  // namespace triplex
