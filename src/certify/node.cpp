@@ -14,7 +14,7 @@ namespace triplex {
 namespace {
 
 // A tet spends no more than these; a failed proof counts as many cells.
-constexpr int kBudget = 4000;
+constexpr int kBudget = 30000;
 constexpr int kCostOfFailedProof = 20;
 // Corners are multiples of 2^-50, exact as doubles; on the average three bisections halve a cell.
 constexpr int kMostBits = 50;
