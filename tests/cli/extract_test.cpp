@@ -200,7 +200,7 @@ TEST(Meshes, OfEmptyFeaturesAreWrittenToo) {
     EXPECT_TRUE(mesh->GetPointData()->HasArray("mode")) << row.name;
     EXPECT_TRUE(mesh->GetCellData()->HasArray("Certified")) << row.name;
   }
-  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), kStandardFeatures + 3);  // nodes, collection, report
+  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), kStandardFeatures + 3);  // with nodes
 }
 
 TEST(Meshes, DoNotDependOnTheNumberOfThreads) {
