@@ -53,8 +53,9 @@ struct NodeSearch {
 /// The nodes on those of the degenerate surfaces in `features`, from the tets of the input that
 /// refinement left open there, and those with a node exactly at a vertex: others hold none.
 /// Guarantee: `NodeStatus` says what is proven of each. In a tet that is not listed as undecided no
-/// isolated node is missing (the proof says what isolated means on faces and edges). The result
-/// does not depend on threads; up to `tet`, nor on the numbering of the input.
+/// nondegenerate node is missing, except possibly one exactly on an edge, or on a face tangent to
+/// its cone, of leaves that are all certified for the perturbed field. The result does not depend
+/// on threads; up to `tet`, nor on the numbering of the input.
 /// Source: proofs/node.md.
 NodeSearch find_nodes(const TensorField& input, const RefinedComplex& complex, FeatureSet features);
 
