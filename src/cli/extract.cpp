@@ -21,6 +21,7 @@
 #include "triplex/io/read_field.hpp"
 #include "triplex/io/write_domains.hpp"
 #include "triplex/io/write_mesh.hpp"
+#include "triplex/io/write_nodes.hpp"
 #include "triplex/tensor/point_arrays.hpp"
 
 namespace triplex::cli {
@@ -94,8 +95,12 @@ void write_results(const ExtractRequest& request, const TensorField& field,
                  mesh, f, arrays);
     throw_if_interrupted();
   }
-  if (std::ranges::count(request.formats, MeshFormat::Vtp) > 0)
-    write_collection(directory.stage("features.vtpc"), names_of(table, table.all()));
+  if (std::ranges::count(request.formats, MeshFormat::Vtp) > 0) {
+    write_nodes(directory.stage("nodes.vtp"), extraction.nodes);
+    std::vector<std::string_view> blocks = names_of(table, table.all());
+    blocks.push_back("nodes");
+    write_collection(directory.stage("features.vtpc"), blocks);
+  }
   if (request.domains) write_domains(directory.stage("domains.vtu"), extraction.domains);
   steps.timing.write = steps.step.lap();
   steps.timing.total = steps.total.lap();
@@ -192,8 +197,8 @@ void add_extract(CLI::App& program, Action& action) {
       "  triplex extract flow.vtu -o flow --features degenerate-linear,triple-curve\n"
       "  triplex extract flow.vtu -o flow --gradient-of U\n"
       "  triplex extract flow.vtu -o flow --features none --mode 1/2,-,+ --mode 1/2,-,-\n"
-      "DIR gets one file per feature (empty ones too), features.vtpc for all of them, and "
-      "report.json.");
+      "DIR gets one file per feature (empty ones too), nodes.vtp, features.vtpc for all of them, "
+      "and report.json.");
   command->callback([request, formats, &action] {
     resolve(request->features);  // what is wrong with it is better known before the work
     check_array_names(request->arrays);

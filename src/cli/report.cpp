@@ -116,6 +116,35 @@ Json unresolved_json(const Extraction& extraction) {
   return json;
 }
 
+Json range_json(const Range& range) { return {range.lo, range.hi}; }
+
+Json nodes_json(const Extraction& extraction) {
+  Json json = Json::array();
+  for (const Node& node : extraction.nodes) {
+    Json enclosure = Json::array();
+    for (const Range& range : node.enclosure) enclosure.push_back(range_json(range));
+    json.push_back({{"position", node.position},
+                    {"enclosure", enclosure},
+                    {"eigenvalue", node.eigenvalue},
+                    {"eigenvalue_enclosure", range_json(node.eigenvalue_enclosure)},
+                    {"feature", extraction.table.row(node.feature).name},
+                    {"status", name_of(node.status)},
+                    {"tet", node.source_cell}});
+  }
+  return json;
+}
+
+Json nodes_undecided_json(const TensorField& field, const Extraction& extraction) {
+  Json json = Json::array();
+  for (const NodesUndecided& undecided : extraction.nodes_undecided) {
+    const std::size_t tet = index(undecided.tet);
+    json.push_back({{"tet", field.source_cells.empty() ? static_cast<std::int64_t>(tet)
+                                                       : field.source_cells[tet]},
+                    {"reason", describe(undecided.obstacle)}});
+  }
+  return json;
+}
+
 /// Cells over the distinct points of a mesh: periodic copies are one.
 template <std::size_t N>
 struct Glued {
@@ -176,9 +205,12 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
       {"filter", stages.filter}, {"interval", stages.interval}, {"exact", stages.exact}};
   report["features"] = features_json(extraction, summaries);
   if (request.domains) report["domains"] = domains_json(extraction.domains);
+  report["nodes"] = nodes_json(extraction);
+  report["nodes_undecided"] = nodes_undecided_json(field, extraction);
   report["unresolved"] = unresolved_json(extraction);
   report["timing_s"] = {{"read", timing.read},
                         {"refine", extraction.timing.refine_s},
+                        {"nodes", extraction.timing.nodes_s},
                         {"extract", extraction.timing.extract_s},
                         {"topology", timing.topology},
                         {"write", timing.write},
@@ -186,6 +218,22 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
   report["peak_memory_bytes"] = peak_memory_bytes();
   return report;
 }
+
+namespace {
+
+/// Nothing if no degenerate surface was asked for.
+std::string nodes_line(const Extraction& extraction) {
+  if (!contains(extraction.requested, Feature::DegenerateLinear) &&
+      !contains(extraction.requested, Feature::DegeneratePlanar))
+    return {};
+  const auto shared = std::ranges::count(extraction.nodes, NodeStatus::Shared, &Node::status);
+  const std::size_t undecided = extraction.nodes_undecided.size();
+  return fmt::format("nodes: {} ({} proven){}\n", extraction.nodes.size(),
+                     extraction.nodes.size() - static_cast<std::size_t>(shared),
+                     undecided == 0 ? "" : fmt::format("; {} tets undecided", undecided));
+}
+
+}  // namespace
 
 std::string make_table(const Extraction& extraction, const FeatureSummaries& summaries) {
   constexpr std::string_view kLine = "{:<{}} {:>9} {:>9} {:>10} {:>6} {:>8} {:>12.6g} {:>10}\n";
@@ -213,6 +261,7 @@ std::string make_table(const Extraction& extraction, const FeatureSummaries& sum
   if (const DomainMesh& domains = extraction.domains; domains.cells() > 0)
     fmt::format_to(out, "domains: {} cells, {} of them cut out by pages\n", domains.cells(),
                    domains.polyhedra());
+  table += nodes_line(extraction);
   const std::size_t open = extraction.unresolved.size();
   if (open == 0) {
     fmt::format_to(out, "certified: every cell is decided\n");

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <utility>
 
 #include "domain_cells.hpp"
 #include "feature_mesh.hpp"
@@ -105,9 +106,20 @@ CertificateCounts count_certificates(const RefinedComplex& complex, FeatureSet f
                               CertificateCounts{}, add, join);
 }
 
+/// The tets that hold a node, ascending.
+std::vector<TetId> tets_with_nodes(const std::vector<Node>& nodes) {
+  std::vector<TetId> tets;
+  for (const Node& node : nodes)
+    if (node.status != NodeStatus::Shared) tets.push_back(node.tet);
+  std::ranges::sort(tets);
+  return tets;
+}
+
 /// The open leaves, gathered by tet of the input; the gravest obstacle names the reason.
 std::vector<UnresolvedTet> unresolved_tets(const TensorField& input, const RefinedComplex& complex,
+                                           const std::vector<Node>& nodes,
                                            const ExtractionOptions& options) {
+  const std::vector<TetId> with_nodes = tets_with_nodes(nodes);
   struct Open {
     TetId tet;
     FeatureSet features;
@@ -133,7 +145,10 @@ std::vector<UnresolvedTet> unresolved_tets(const TensorField& input, const Refin
         complex.hit_size_limit
             ? std::string("the refined mesh reached its size limit")
             : fmt::format("budget of {} bisections spent", options.max_bisections);
-    result.push_back({source, tet.features, fmt::format("{}; {}", describe(tet.obstacle), limit)});
+    const std::string_view node =
+        std::ranges::binary_search(with_nodes, tet.tet) ? "contains a node; " : "";
+    result.push_back(
+        {source, tet.features, fmt::format("{}{}; {}", node, describe(tet.obstacle), limit)});
   }
   std::stable_sort(result.begin(), result.end(),
                    [](const auto& a, const auto& b) { return a.source_cell < b.source_cell; });
@@ -185,14 +200,22 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
           .build(active, options.features);
   if (options.domains) result.domains = domain_cells(field, complex, crossings, spine_points);
 
+  result.timing.extract_s = watch.lap();
+
+  report("nodes");
+  NodeSearch search = find_nodes(field, complex, options.features);
+  result.nodes = std::move(search.nodes);
+  result.nodes_undecided = std::move(search.undecided);
+  result.timing.nodes_s = watch.lap();
+
   result.sign_stages = stages;
   result.certificates = count_certificates(complex, certified);
   result.refinement = {complex.rounds, complex.bisections, complex.leaves.size()};
-  result.unresolved = unresolved_tets(field, complex, options);
+  result.unresolved = unresolved_tets(field, complex, result.nodes, options);
   for (const Crossing& c : crossings.crossings())
     if (c.error < 1)
       result.largest_crossing_error = std::max(result.largest_crossing_error, c.error);
-  result.timing.extract_s = watch.lap();
+  result.timing.extract_s += watch.lap();
   return result;
 }
 

@@ -62,18 +62,18 @@ TEST(Report, HasTheDocumentedKeys) {
   const TemporaryDirectory directory;
   const std::string field = make_field(directory, "noise", 4);
   const json report = extract(field, directory / "out", {"--max-bisections", "2"});
-  EXPECT_THAT(keys(report),
-              UnorderedElementsAre("certified", "version", "field", "options", "certificates",
-                                   "refinement", "sign_stages", "features", "unresolved",
-                                   "timing_s", "peak_memory_bytes"));
+  EXPECT_THAT(keys(report), UnorderedElementsAre("certified", "version", "field", "options",
+                                                 "certificates", "refinement", "sign_stages",
+                                                 "features", "nodes", "nodes_undecided",
+                                                 "unresolved", "timing_s", "peak_memory_bytes"));
   EXPECT_THAT(keys(report["field"]),
               UnorderedElementsAre("file", "tets", "vertices", "array", "bounds", "split"));
   EXPECT_THAT(keys(report["certificates"]),
               UnorderedElementsAre("exclusion", "graph", "spine", "unresolved"));
   EXPECT_THAT(keys(report["refinement"]), UnorderedElementsAre("rounds", "bisections", "tets"));
   EXPECT_THAT(keys(report["sign_stages"]), UnorderedElementsAre("filter", "interval", "exact"));
-  EXPECT_THAT(keys(report["timing_s"]),
-              UnorderedElementsAre("read", "refine", "extract", "topology", "write", "total"));
+  EXPECT_THAT(keys(report["timing_s"]), UnorderedElementsAre("read", "refine", "nodes", "extract",
+                                                             "topology", "write", "total"));
   for (const FeatureRow& row : standard_features().rows()) {
     const json& feature = report["features"][std::string(row.name)];
     if (row.feature == Feature::TripleCurve) {
@@ -108,6 +108,49 @@ TEST(Report, SaysWhatWasRead) {
   EXPECT_GE(report["refinement"]["tets"], report["field"]["tets"]);
   EXPECT_GT(report["sign_stages"]["filter"], 0);
   EXPECT_GT(report["peak_memory_bytes"], 1'000'000);
+}
+
+TEST(Nodes, OfLorenzAreInReportTableAndFile) {
+  const TemporaryDirectory directory;
+  const fs::path out = directory / "out";
+  const Outcome outcome = run({"extract", make_field(directory, "lorenz", 5), "-o", out.string(),
+                               "--features", "degenerate-linear,degenerate-planar"});
+  EXPECT_THAT(outcome.out, testing::HasSubstr("\nnodes: 1 ("));
+  const json report = report_in(out);
+  ASSERT_EQ(report["nodes"].size(), 1u);
+  EXPECT_TRUE(report["nodes_undecided"].empty());
+  const json& node = report["nodes"][0];
+  EXPECT_THAT(keys(node), UnorderedElementsAre("position", "enclosure", "eigenvalue",
+                                               "eigenvalue_enclosure", "feature", "status", "tet"));
+  EXPECT_NEAR(node["position"][2].get<double>(), 263.0 / 9, 1e-10);
+  EXPECT_NEAR(node["eigenvalue"].get<double>(), 17.0 / 9, 1e-10);
+  EXPECT_EQ(node["feature"], "degenerate-planar");
+
+  const auto mesh = read_mesh(out / "nodes.vtp");
+  ASSERT_EQ(mesh->GetNumberOfPoints(), 1);
+  EXPECT_EQ(mesh->GetNumberOfVerts(), 1);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_EQ(mesh->GetPoint(0)[k], node["position"][k].get<double>());
+    EXPECT_EQ(mesh->GetPointData()->GetArray("EnclosureLow")->GetComponent(0, k),
+              node["enclosure"][k][0].get<double>());
+    EXPECT_EQ(mesh->GetPointData()->GetArray("EnclosureHigh")->GetComponent(0, k),
+              node["enclosure"][k][1].get<double>());
+  }
+  EXPECT_EQ(mesh->GetPointData()->GetArray("eigenvalue")->GetTuple1(0),
+            node["eigenvalue"].get<double>());
+  EXPECT_EQ(mesh->GetPointData()->GetArray("Feature")->GetTuple1(0), 4);
+  EXPECT_EQ(mesh->GetPointData()->GetArray("Proven")->GetTuple1(0),
+            node["status"] == "shared" ? 0 : 1);
+}
+
+TEST(Nodes, AreNotSearchedWithoutDegenerateSurfaces) {
+  const TemporaryDirectory directory;
+  const fs::path out = directory / "out";
+  const Outcome outcome = run({"extract", make_field(directory, "lorenz", 5), "-o", out.string(),
+                               "--features", "neutral-real"});
+  EXPECT_THAT(outcome.out, testing::Not(testing::HasSubstr("nodes:")));
+  EXPECT_TRUE(report_in(out)["nodes"].empty());
+  EXPECT_EQ(read_mesh(out / "nodes.vtp")->GetNumberOfPoints(), 0);
 }
 
 TEST(Meshes, HaveTheArraysAndTheCountsOfTheReport) {
@@ -153,7 +196,7 @@ TEST(Meshes, OfEmptyFeaturesAreWrittenToo) {
     EXPECT_TRUE(mesh->GetPointData()->HasArray("mode")) << row.name;
     EXPECT_TRUE(mesh->GetCellData()->HasArray("Certified")) << row.name;
   }
-  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), kStandardFeatures + 2);
+  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), kStandardFeatures + 3);  // with nodes
 }
 
 TEST(Meshes, DoNotDependOnTheNumberOfThreads) {
@@ -191,7 +234,7 @@ TEST(Directory, MayHoldAnOldResultAndMayBeNested) {
   extract(field, out);
   EXPECT_EQ(file_content(out / "notes.txt"), "mine");
   EXPECT_NE(file_content(out / "triple-curve.vtp"), "old");
-  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), kStandardFeatures + 3);
+  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), kStandardFeatures + 4);
 }
 
 TEST(RealData, ConvectionIsExtracted) {

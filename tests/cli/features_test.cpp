@@ -72,7 +72,7 @@ TEST(Features, BeyondTheStandardOnesHaveTheirFiles) {
   reader->Update();
   auto* all = vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
   ASSERT_NE(all, nullptr);
-  EXPECT_EQ(all->GetNumberOfPartitionedDataSets(), 7u + 6u);
+  EXPECT_EQ(all->GetNumberOfPartitionedDataSets(), 7u + 6u + 1u);  // and the nodes
 }
 
 TEST(Features, ArraysAreThoseOfTheTensor) {

@@ -12,6 +12,7 @@
 
 #include "triplex/arithmetic/sign.hpp"
 #include "triplex/extract/domain_mesh.hpp"
+#include "triplex/extract/nodes.hpp"
 #include "triplex/feature/feature_table.hpp"
 #include "triplex/field/periodic.hpp"
 #include "triplex/field/tensor_field.hpp"
@@ -58,9 +59,9 @@ struct RefinementStatistics {
   std::uint64_t rounds = 0, bisections = 0, tets = 0;
 };
 
-/// Seconds of wall time: refinement with certification, and extraction.
+/// Seconds of wall time: refinement with certification, the search for nodes, and extraction.
 struct ExtractionTiming {
-  double refine_s = 0, extract_s = 0;
+  double refine_s = 0, nodes_s = 0, extract_s = 0;
 };
 
 /// Called from the calling thread between steps: name of the step, done in [0,1] or < 0 if unknown.
@@ -96,6 +97,10 @@ struct Extraction {
   const FeatureMesh& mesh(Feature f) const { return features[index(f)]; }
   /// The domain cut by all pages of the table. Empty unless `ExtractionOptions::domains`.
   DomainMesh domains;
+  /// The nodes on the degenerate surfaces asked for, by position, and the tets of the input where
+  /// some may be missing.
+  std::vector<Node> nodes;
+  std::vector<NodesUndecided> nodes_undecided;
   CertificateCounts certificates;
   RefinementStatistics refinement;
   SignStages sign_stages;

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "triplex/arithmetic/exact.hpp"
+#include "triplex/feature/feature.hpp"
+#include "triplex/field/refinable_field.hpp"
+
+namespace triplex {
+
+/// A closed interval.
+struct Range {
+  double lo = 0, hi = 0;
+
+  bool contains(double x) const { return lo <= x && x <= hi; }
+  bool contains(const Range& r) const { return lo <= r.lo && r.hi <= hi; }
+  bool meets(const Range& r) const { return lo <= r.hi && r.lo <= hi; }
+  double middle() const { return lo + (hi - lo) / 2; }
+  friend bool operator==(const Range&, const Range&) = default;
+};
+
+/// Coordinates of a tet's linear field and an eigenvalue: the barycentric coordinates of the
+/// vertices 1, 2, 3 and l of the tripled deviator, scaled as `RefinableField::approximate`.
+using NodeBox = std::array<Range, 4>;
+
+/// A node of the linear field of a tet, which may lie outside the tet.
+struct IsolatedNode {
+  Feature feature = Feature::DegenerateLinear;
+  NodeBox box;     ///< holds exactly one node, this one; near rounding level
+  NodeBox domain;  ///< holds no other node; contains `box`
+  Range first;     ///< the barycentric coordinate of vertex 0
+};
+
+/// Why not all nodes of a tet are known.
+enum class NodeObstacle : std::uint8_t {
+  None,
+  Symmetric,   ///< symmetric tensors: every degenerate point is a node, and they form curves
+  Tiny,        ///< tensors too small, next to those of the field, for the filter
+  Resolution,  ///< a cell of the smallest size neither excluded nor inside a domain
+  Budget,      ///< too many cells
+};
+std::string_view describe(NodeObstacle obstacle);
+
+struct TetNodes {
+  std::vector<IsolatedNode> nodes;
+  NodeObstacle obstacle = NodeObstacle::None;
+};
+
+/// Finds the nodes of a linear field in a closed tet: the points where the deviator has a double
+/// eigenvalue l with two independent eigenvectors, l < 0 on the linear and l > 0 on the planar
+/// degenerate surface.
+/// Guarantee: each box holds exactly one node of the field (of the linear function, inside the tet
+/// or not); different boxes, different nodes; if `obstacle` is None, every node in the closed tet
+/// that belongs to one of the features is among them.
+/// Bounded: ends after a fixed number of cells. Source: proofs/node.md.
+TetNodes isolate_nodes(const RefinableField& field, const std::array<VertexId, 4>& vertices,
+                       FeatureSet features);
+
+/// Whether a tripled deviator is a node. Guarantee: exact.
+bool is_node(const Tensor<Exact>& tripled_deviator);
+/// Whether a vertex is one: a filter, then exact.
+bool is_node(const RefinableField& field, VertexId v);
+
+/// The point with barycentric coordinates n_i / (n_0 + ... + n_3) among the vertices of the tet, if
+/// it is the node and a fraction with a small denominator; all zero if none is known.
+/// Guarantee: exact.
+std::array<std::int64_t, 4> exact_weights(const RefinableField& field,
+                                          const std::array<VertexId, 4>& vertices,
+                                          const IsolatedNode& node);
+
+}  // namespace triplex
