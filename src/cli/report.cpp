@@ -145,19 +145,15 @@ Json nodes_undecided_json(const TensorField& field, const Extraction& extraction
   return json;
 }
 
-/// Cells over the distinct points of a mesh: periodic copies are one.
-template <std::size_t N>
-struct Glued {
-  std::vector<std::array<std::uint32_t, N>> cells;
-  std::size_t points = 0;
-};
-template <std::size_t N>
-Glued<N> glue(const std::vector<std::array<std::uint32_t, N>>& cells, const FeatureMesh& mesh) {
-  Glued<N> glued{cells, mesh.points.size()};
-  if (mesh.identified.empty()) return glued;
-  for (auto& cell : glued.cells)
+/// Gives `take` the cells of a mesh with periodic copies of a point taken as that point.
+template <std::size_t N, class Take>
+auto with_copies_identified(const std::vector<std::array<std::uint32_t, N>>& cells,
+                            const FeatureMesh& mesh, const Take& take) {
+  if (mesh.identified.empty()) return take(cells);
+  auto glued = cells;
+  for (auto& cell : glued)
     for (std::uint32_t& v : cell) v = mesh.identified[v];
-  return glued;
+  return take(glued);
 }
 
 }  // namespace
@@ -168,12 +164,14 @@ FeatureSummaries summarize(const Extraction& extraction) {
     const FeatureMesh& mesh = extraction.mesh(f);
     FeatureSummary& summary = summaries[index(f)];
     if (f == Feature::TripleCurve) {
-      const auto glued = glue(mesh.segments, mesh);
-      summary.curve = curve_topology(glued.cells, glued.points);
+      summary.curve = with_copies_identified(mesh.segments, mesh, [&](const auto& segments) {
+        return curve_topology(segments, mesh.points.size());
+      });
       summary.measure = length_approx(mesh.points, mesh.segments);
     } else {
-      const auto glued = glue(mesh.triangles, mesh);
-      summary.surface = surface_topology(glued.cells, glued.points);
+      summary.surface = with_copies_identified(mesh.triangles, mesh, [&](const auto& triangles) {
+        return surface_topology(triangles, mesh.points.size());
+      });
       summary.measure = area_approx(mesh.points, mesh.triangles);
     }
     summary.unresolved = static_cast<std::uint64_t>(
