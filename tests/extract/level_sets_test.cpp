@@ -9,6 +9,7 @@
 #include <random>
 
 #include "fields.hpp"
+#include "triplex/certify/level_set.hpp"
 #include "triplex/tensor/invariants.hpp"
 #include "triplex/topology/surface_topology.hpp"
 
@@ -130,31 +131,38 @@ TEST(LevelSets, BoundConvexSetsInEveryLinearField) {
   EXPECT_GT(nappes, 8);
 }
 
-/// Magnitude surfaces are ellipsoids only and isotropicity surfaces never one-sheeted, by exact
-/// inertia: the matrix of the quadratic part of |T|^2 has no negative, that of tr^2 - 3 eta^2 |T|^2
-/// with its homogeneous coordinate (4 x 4) at most one positive eigenvalue; a one-sheeted
-/// hyperboloid has two of each sign.
-TEST(LevelSets, HaveTheInertiaOfBoundariesOfConvexSets) {
+/// Magnitude surfaces are ellipsoids only and isotropicity surfaces never one-sheeted, since they
+/// bound convex sets: exactly, the middle of two tensors inside is inside. (Both nappes of the
+/// squared cone, or its outside, fail this at once.)
+TEST(LevelSets, HaveAConvexInside) {
   std::mt19937_64 random(99);
   std::normal_distribution<double> normal;
-  for (int n = 0; n < 2000; ++n) {
-    std::array<Tensor<double>, 4> t;  // T = t_0 x + t_1 y + t_2 z + t_3
-    for (auto& part : t)
-      for (double& x : part) x = normal(random);
-    const double eta = 0.9 * std::uniform_real_distribution<double>(0.01, 1)(random);
-    // Positive directions of the cone's form lie near one: at most one positive eigenvalue means
-    // that f(u) f(v) <= f(u, v)^2 whenever f(u) > 0 (the reversed Cauchy-Schwarz inequality).
-    const auto form = [&](int i, int j) {
-      const double tr_i = trace_approx(t[i]), tr_j = trace_approx(t[j]);
-      double dot = 0;
-      for (int k = 0; k < 9; ++k) dot += t[i][k] * t[j][k];
-      return tr_i * tr_j - 3 * eta * eta * dot;
-    };
-    for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j)
-        if (form(i, i) > 0) {
-          EXPECT_LE(form(i, i) * form(j, j), form(i, j) * form(i, j) + 1e-9);
-        }
+  const std::array<LevelSet, 5> levels = {{{LevelSet::Kind::Magnitude, 2.5},
+                                           {LevelSet::Kind::Isotropicity, 0.375},
+                                           {LevelSet::Kind::Isotropicity, -0.375},
+                                           {LevelSet::Kind::Isotropicity, -0.03125},
+                                           {LevelSet::Kind::Traceless, 0}}};
+  for (const LevelSet& level : levels) {
+    std::vector<Tensor<Exact>> inside;
+    int outside = 0;
+    for (int n = 0; n < 3000; ++n) {
+      Tensor<Exact> t;
+      for (Exact& x : t) x = Exact(normal(random));
+      for (const int k : {0, 4, 8}) t[k] = t[k] + Exact(2 * normal(random));
+      if (exact_side(level, t) == Certainty::Positive) {
+        inside.push_back(t);
+      } else {
+        ++outside;
+      }
+    }
+    ASSERT_GT(inside.size(), 100u);
+    EXPECT_GT(outside, 100);
+    for (std::size_t n = 0; n < inside.size(); ++n) {
+      const Tensor<Exact>&a = inside[n], &b = inside[random() % inside.size()];
+      Tensor<Exact> middle;
+      for (int k = 0; k < 9; ++k) middle[k] = Exact(0.5) * (a[k] + b[k]);
+      EXPECT_EQ(exact_side(level, middle), Certainty::Positive);
+    }
   }
 }
 
