@@ -13,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "../io/read_vtk.hpp"
 #include "run_program.hpp"
 #include "triplex/feature/feature_table.hpp"
 
@@ -35,11 +36,7 @@ json report_in(const fs::path& directory) {
 }
 
 vtkSmartPointer<vtkPolyData> read_mesh(const fs::path& file) {
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  EXPECT_EQ(reader->GetErrorCode(), 0u) << file;
-  return reader->GetOutput();
+  return read_vtk<vtkXMLPolyDataReader>(file);
 }
 
 fs::path mesh_file(const fs::path& directory, const FeatureRow& row) {

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "../io/read_vtk.hpp"
 #include "run_program.hpp"
 
 namespace triplex::test {
@@ -27,11 +28,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 vtkSmartPointer<vtkPolyData> read_mesh(const fs::path& file) {
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  EXPECT_EQ(reader->GetErrorCode(), 0u) << file;
-  return reader->GetOutput();
+  return read_vtk<vtkXMLPolyDataReader>(file);
 }
 json report_in(const fs::path& directory) {
   return json::parse(file_content(directory / "report.json"));

@@ -15,6 +15,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "read_vtk.hpp"
 #include "temporary_directory.hpp"
 #include "triplex/extract/extraction.hpp"
 #include "triplex/field/generators.hpp"
@@ -35,16 +36,6 @@ DomainMesh mesh_of(const char* generator, int n) {
   options.domains = true;
   options.max_bisections = 8;
   return extract(generator_named(generator)->generate(grid), options).domains;
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> read(const std::filesystem::path& file) {
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(file.c_str());
-  testing::internal::CaptureStderr();
-  reader->Update();
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "VTK's readers must have no complaints";
-  EXPECT_EQ(reader->GetErrorCode(), 0u);
-  return reader->GetOutput();
 }
 
 /// Of the face stream that VTK keeps, fanned from the first point of each polygon.
@@ -79,7 +70,7 @@ TEST(WriteDomains, RoundTripsBitForBit) {
   ASSERT_GT(mesh.tets.size(), 0u);
   ASSERT_GT(mesh.polyhedra(), 0u);
   write_domains(directory / "a.vtu", mesh);
-  const auto grid = read(directory / "a.vtu");
+  const auto grid = test::read_vtk<vtkXMLUnstructuredGridReader>(directory / "a.vtu");
   ASSERT_EQ(grid->GetNumberOfCells(), static_cast<vtkIdType>(mesh.cells()));
   ASSERT_EQ(grid->GetNumberOfPoints(), static_cast<vtkIdType>(mesh.points.size()));
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
@@ -112,14 +103,15 @@ TEST(WriteDomains, WritesMeshesOfTetsOnlyAndEmptyOnes) {
   const TemporaryDirectory directory;
   DomainMesh mesh;
   write_domains(directory / "empty.vtu", mesh);
-  EXPECT_EQ(read(directory / "empty.vtu")->GetNumberOfCells(), 0);
+  EXPECT_EQ(
+      test::read_vtk<vtkXMLUnstructuredGridReader>(directory / "empty.vtu")->GetNumberOfCells(), 0);
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   mesh.tets = {{0, 1, 2, 3}};
   mesh.domain = {Domain::RealPlanar};
   mesh.source_cell = {std::int64_t{1} << 40};
   mesh.certified = {1};
   write_domains(directory / "tet.vtu", mesh);
-  const auto grid = read(directory / "tet.vtu");
+  const auto grid = test::read_vtk<vtkXMLUnstructuredGridReader>(directory / "tet.vtu");
   ASSERT_EQ(grid->GetNumberOfCells(), 1);
   EXPECT_EQ(grid->GetCellType(0), VTK_TETRA);
   EXPECT_EQ(grid->GetCellData()->GetArray("Domain")->GetTuple1(0), 3);

@@ -19,28 +19,19 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <sstream>
 
+#include "read_vtk.hpp"
+#include "sample_mesh.hpp"
 #include "temporary_directory.hpp"
 
 namespace triplex {
 namespace {
 
 using test::file_content;
+using test::surface;
 using test::TemporaryDirectory;
 
-FeatureMesh surface() {
-  FeatureMesh mesh;
-  mesh.points = {{0, 0, 0}, {1.0 / 3, 0, 0}, {0, 0x1p-1074, 0}, {-0.0, 1e300, 0.1}};
-  mesh.triangles = {{0, 1, 2}, {2, 1, 3}};
-  mesh.p = {-1, 0.1, 1e-300, -0.0};
-  mesh.q = {1, 2, 3, 4};
-  mesh.mode = {1, std::numeric_limits<double>::infinity(), 0, 0.7};
-  mesh.source_cell = {7, 8};
-  mesh.certified = {1, 0};
-  return mesh;
-}
 FeatureMesh curve() {
   FeatureMesh mesh = surface();
   mesh.triangles.clear();
@@ -202,11 +193,8 @@ TEST(Stl, HoldsTheTrianglesInSinglePrecision) {
 TEST(Vtp, CarriesFurtherArrays) {
   const TemporaryDirectory directory;
   write_mesh(directory / "a.vtp", MeshFormat::Vtp, surface(), Feature::NeutralReal, extra());
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName((directory / "a.vtp").c_str());
-  reader->Update();
-  auto* array =
-      vtkDoubleArray::SafeDownCast(reader->GetOutput()->GetPointData()->GetArray("eigen-values"));
+  const auto data = test::read_vtk<vtkXMLPolyDataReader>(directory / "a.vtp");
+  auto* array = vtkDoubleArray::SafeDownCast(data->GetPointData()->GetArray("eigen-values"));
   ASSERT_NE(array, nullptr);
   EXPECT_EQ(array->GetNumberOfComponents(), 2);
   EXPECT_EQ(array->GetValue(7), 8);

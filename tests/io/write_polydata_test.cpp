@@ -15,41 +15,21 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <cstring>
-#include <limits>
 #include <stdexcept>
 
+#include "read_vtk.hpp"
+#include "sample_mesh.hpp"
 #include "temporary_directory.hpp"
 
 namespace triplex {
 namespace {
 
 using test::file_content;
+using test::surface;
 using test::TemporaryDirectory;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
-
-FeatureMesh surface() {
-  FeatureMesh mesh;
-  mesh.points = {{0, 0, 0}, {1.0 / 3, 0, 0}, {0, 0x1p-1074, 0}, {-0.0, 1e300, 0.1}};
-  mesh.triangles = {{0, 1, 2}, {2, 1, 3}};
-  mesh.p = {-1, 0.1, 1e-300, -0.0};
-  mesh.q = {1, 2, 3, 4};
-  mesh.mode = {1, std::numeric_limits<double>::infinity(), 0, 0.7};
-  mesh.source_cell = {7, std::int64_t{1} << 40};
-  mesh.certified = {1, 0};
-  return mesh;
-}
-
-vtkSmartPointer<vtkPolyData> read(const std::filesystem::path& file) {
-  const auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
-  reader->SetFileName(file.c_str());
-  testing::internal::CaptureStderr();
-  reader->Update();
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "VTK's readers must have no complaints";
-  EXPECT_EQ(reader->GetErrorCode(), 0u);
-  return reader->GetOutput();
-}
 
 bool same_bits(vtkDataArray* array, const double* values, std::size_t size) {
   auto* doubles = vtkDoubleArray::SafeDownCast(array);
@@ -61,7 +41,7 @@ TEST(WritePolydata, RoundTripsBitForBit) {
   const TemporaryDirectory directory;
   const FeatureMesh mesh = surface();
   write_polydata(directory / "a.vtp", mesh, Feature::DegeneratePlanar);
-  const auto data = read(directory / "a.vtp");
+  const auto data = test::read_vtk<vtkXMLPolyDataReader>(directory / "a.vtp");
   EXPECT_TRUE(same_bits(data->GetPoints()->GetData(), mesh.points[0].data(), 12));
   EXPECT_TRUE(same_bits(data->GetPointData()->GetArray("p"), mesh.p.data(), 4));
   EXPECT_TRUE(same_bits(data->GetPointData()->GetArray("q"), mesh.q.data(), 4));
@@ -91,7 +71,7 @@ TEST(WritePolydata, WritesSegments) {
   mesh.triangles.clear();
   mesh.segments = {{0, 1}, {1, 3}};
   write_polydata(directory / "a.vtp", mesh, Feature::TripleCurve);
-  const auto data = read(directory / "a.vtp");
+  const auto data = test::read_vtk<vtkXMLPolyDataReader>(directory / "a.vtp");
   ASSERT_EQ(data->GetNumberOfLines(), 2);
   EXPECT_EQ(data->GetNumberOfPolys(), 0);
   const auto ids = vtkSmartPointer<vtkIdList>::New();
@@ -104,7 +84,7 @@ TEST(WritePolydata, WritesSegments) {
 TEST(WritePolydata, EmptyMeshesHaveAllArrays) {
   const TemporaryDirectory directory;
   write_polydata(directory / "a.vtp", {}, Feature::NeutralReal);
-  const auto data = read(directory / "a.vtp");
+  const auto data = test::read_vtk<vtkXMLPolyDataReader>(directory / "a.vtp");
   EXPECT_EQ(data->GetNumberOfPoints(), 0);
   EXPECT_EQ(data->GetNumberOfCells(), 0);
   for (const char* name : {"mode", "p", "q"}) {
