@@ -13,8 +13,7 @@
 namespace triplex {
 namespace {
 
-// A tet spends no more than these; a failed proof counts as many cells.
-constexpr int kBudget = 10000;
+// A failed proof counts as many cells.
 constexpr int kCostOfFailedProof = 20;
 // Corners are multiples of 2^-50, exact as doubles; on the average three bisections halve a cell.
 constexpr int kMostBits = 50;
@@ -85,8 +84,8 @@ bool contains(const NodeBox& box, const NodePoint& z) {
 /// The search in one tet for nodes on the pages asked for.
 class NodeSearchInTet {
  public:
-  NodeSearchInTet(const RefinableField& field, const std::array<VertexId, 4>& vertices)
-      : simplex_(field, vertices) {
+  NodeSearchInTet(const RefinableField& field, const std::array<VertexId, 4>& vertices, int budget)
+      : simplex_(field, vertices), budget_(budget) {
     for (std::size_t i = 0; i < 4; ++i) {
       const ApproximateTensor& v = field.approximate(vertices[i]);
       whole_.tensors[i] = v.a;
@@ -127,7 +126,7 @@ class NodeSearchInTet {
     while (!stack.empty()) {
       const NodeCell cell = stack.back();
       stack.pop_back();
-      if (++spent > kBudget) {
+      if (++spent > budget_) {
         result_.obstacle = NodeObstacle::Budget;
         return;
       }
@@ -175,6 +174,7 @@ class NodeSearchInTet {
   }
 
   Simplex<4> simplex_;
+  const int budget_;
   NodeCell whole_;
   std::optional<NodeProof> proof_;
   TetNodes result_;
@@ -199,8 +199,8 @@ std::string_view describe(NodeObstacle obstacle) {
 }
 
 TetNodes isolate_nodes(const RefinableField& field, const std::array<VertexId, 4>& vertices,
-                       FeatureSet features) {
-  return NodeSearchInTet(field, vertices).run(features);
+                       FeatureSet features, int cells) {
+  return NodeSearchInTet(field, vertices, cells).run(features);
 }
 
 }  // namespace triplex

@@ -27,6 +27,16 @@ struct Task {
   std::array<VertexId, 4> vertices;  // ascending
 };
 
+/// The search in a tet near a curve of nodes ends with its budget, and large data may have
+/// thousands of such tets. So all get a little; those that need more share an allowance of one cell
+/// per leaf, which costs less than the leaf's certificates did, or of a million, which takes about
+/// two seconds.
+constexpr int kFewCells = 1000;
+int cells_for_the_rest(std::size_t leaves, std::size_t rest) {
+  constexpr std::size_t kLeast = 1'000'000;
+  return static_cast<int>(std::min<std::size_t>(kNodeCells, std::max(leaves, kLeast) / rest));
+}
+
 /// A point of the mesh as a combination of vertices with integer weights in lowest terms.
 using ExactPoint = std::vector<std::pair<VertexId, std::int64_t>>;
 
@@ -233,11 +243,22 @@ NodeSearch find_nodes(const TensorField& input, const RefinedComplex& complex,
   const std::vector<Task> tasks = tasks_of(complex, features);
   std::vector<std::vector<Candidate>> candidates(tasks.size());
   std::vector<NodeObstacle> obstacles(tasks.size());
-  tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t n) {
-    const TetNodes found = isolate_nodes(complex.field, tasks[n].vertices, tasks[n].features);
-    obstacles[n] = found.obstacle;
-    candidates[n] = candidates_of(input, complex.field, tasks[n], features, found.nodes);
-  });
+  const auto search_in = [&](const std::vector<std::size_t>& numbers, int cells) {
+    tbb::parallel_for(std::size_t{0}, numbers.size(), [&](std::size_t k) {
+      const std::size_t n = numbers[k];
+      const TetNodes found =
+          isolate_nodes(complex.field, tasks[n].vertices, tasks[n].features, cells);
+      obstacles[n] = found.obstacle;
+      candidates[n] = candidates_of(input, complex.field, tasks[n], features, found.nodes);
+    });
+  };
+  std::vector<std::size_t> rest(tasks.size());
+  std::iota(rest.begin(), rest.end(), std::size_t{0});
+  search_in(rest, kFewCells);
+  std::erase_if(rest, [&](std::size_t n) { return obstacles[n] != NodeObstacle::Budget; });
+  if (!rest.empty())
+    if (const int cells = cells_for_the_rest(complex.leaves.size(), rest.size()); cells > kFewCells)
+      search_in(rest, cells);
   search.nodes = merge(candidates);
   for (std::size_t n = 0; n < tasks.size(); ++n)
     if (obstacles[n] != NodeObstacle::None)

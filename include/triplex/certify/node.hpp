@@ -57,9 +57,10 @@ struct TetNodes {
 /// Guarantee: each box holds exactly one node of the field (of the linear function, inside the tet
 /// or not); different boxes, different nodes; if `obstacle` is None, every node in the closed tet
 /// that belongs to one of the features is among them.
-/// Bounded: ends after a fixed number of cells. Source: proofs/node.md.
+/// Bounded: on each page the search ends after that number of cells. Source: proofs/node.md.
+inline constexpr int kNodeCells = 10000;
 TetNodes isolate_nodes(const RefinableField& field, const std::array<VertexId, 4>& vertices,
-                       FeatureSet features);
+                       FeatureSet features, int cells = kNodeCells);
 
 /// Whether a tripled deviator is a node. Guarantee: exact.
 bool is_node(const Tensor<Exact>& tripled_deviator);
