@@ -3,6 +3,7 @@
 #include "triplex/certify/cell.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -10,7 +11,10 @@
 #include "triplex/certify/edge_side.hpp"
 #include "triplex/certify/exclusion.hpp"
 #include "triplex/certify/graph.hpp"
+#include "triplex/certify/nappe.hpp"
+#include "triplex/certify/pencil.hpp"
 #include "triplex/certify/spine.hpp"
+#include "triplex/certify/star.hpp"
 
 namespace triplex {
 namespace {
@@ -90,17 +94,43 @@ class SignedSimplex {
     const bool absent = curved                                ? lacks_page_of(sheet)
                         : sheet.kind == Sheet::Kind::Balanced ? sign_p() != Sign::Zero
                                                               : sign_q() != Sign::Zero;
-    if (absent || certifies_graph(simplex_, sheet, stages_)) return true;
+    if (absent) return true;
+    if (curved && simplex_.has_enclosed_vertex()) return certifies_at_node(sheet);
+    if (certifies_graph(simplex_, sheet, stages_)) return true;
     if constexpr (N == 2)
       return (!curved || !near_spine) && certifies_one_root(simplex_, sheet, stages_);
-    // Last, as it costs most; the tet asks for it itself, once for all sheets with the same mode.
-    return N == 3 && curved &&
-           uniform_sign_of_discriminant(simplex_, sheet.map, stages_) != Sign::Zero;
+    // Last, as they cost most. The sign of D is asked for by the tet itself, once for all sheets
+    // with the same mode.
+    if constexpr (N > 2) {
+      if (!curved) return false;
+      if (N == 3 && uniform_sign_of_discriminant(simplex_, sheet.map, stages_) != Sign::Zero)
+        return true;
+      if (near_spine) return false;
+      return certifies_pencil(simplex_, sheet.map, stages_) ||
+             (sheet.map.is_identity() && has_nappes());
+    }
+  }
+
+  /// At a node: D vanishes nowhere else, or its nappes are graphs. On an edge only the former fixes
+  /// what the labels say.
+  bool certifies_at_node(const Sheet& sheet) {
+    if (!sheet.map.is_identity()) return false;
+    if (certifies_only_node(simplex_, stages_)) return true;
+    if constexpr (N > 2) return has_nappes();
+    return false;
+  }
+  /// Found once: it serves both degenerate pages, and asks no rung beyond the intervals.
+  bool has_nappes()
+    requires(N > 2)
+  {
+    if (!nappes_) nappes_ = certifies_nappes(simplex_, stages_);
+    return *nappes_;
   }
 
   Simplex<N> simplex_;
   SignStages& stages_;
   KnownSign p_, q_;
+  std::optional<bool> nappes_;
 };
 
 /// Which of the requested features a tet may hold.
@@ -266,6 +296,8 @@ class CellCheck {
   void block(Obstacle obstacle, const Simplex<N>& simplex, const Local<N>& local,
              const Measures& measures) {
     if (result_.obstacle != Obstacle::None) return;
+    if constexpr (N < 4)  // edges at a node stay as they are
+      if (simplex.has_enclosed_vertex()) return block(obstacle, *cell_, kWhole, measures);
     result_.obstacle = obstacle;
     const EdgeChoice choice = edge_of_largest_variation(simplex, measures);
     result_.edge = {vertices_[local[choice.edge[0]]], vertices_[local[choice.edge[1]]]};

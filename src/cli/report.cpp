@@ -195,6 +195,7 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
   report["certificates"] = {{"exclusion", proofs.exclusion},
                             {"graph", proofs.graph},
                             {"spine", proofs.spine},
+                            {"radial", proofs.radial},
                             {"unresolved", proofs.unresolved}};
   report["refinement"] = {{"rounds", refinement.rounds},
                           {"bisections", refinement.bisections},

@@ -92,6 +92,10 @@ CertificateCounts count_certificates(const RefinedComplex& complex, FeatureSet f
       counts.graph += count_bits(leaf.graph);
       counts.unresolved += count_bits(leaf.open);
       counts.spine += leaf.has_spine_proof;
+      counts.radial += !complex.nodes.empty() && leaf.open == 0 &&
+                       std::ranges::any_of(leaf.vertices, [&](VertexId v) {
+                         return complex.field.is_enclosed(v);
+                       });
     }
     return counts;
   };
@@ -99,6 +103,7 @@ CertificateCounts count_certificates(const RefinedComplex& complex, FeatureSet f
     a.exclusion += b.exclusion;
     a.graph += b.graph;
     a.spine += b.spine;
+    a.radial += b.radial;
     a.unresolved += b.unresolved;
     return a;
   };

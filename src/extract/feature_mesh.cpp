@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <unordered_map>
 
 #include "patch_fan.hpp"
 
@@ -55,6 +57,24 @@ FeatureMeshBuilder::FeatureMeshBuilder(const TensorField& input, const RefinedCo
     for (int i = 0; i < edge.count(); ++i)
       edge_of_[edge.first + static_cast<std::uint32_t>(i)] = static_cast<std::uint32_t>(e);
   }
+  join_crossings_at_nodes();
+}
+
+/// The edges from a node into the complex domain all cross the surface there: one point.
+void FeatureMeshBuilder::join_crossings_at_nodes() {
+  joined_.resize(edge_of_.size());
+  std::iota(joined_.begin(), joined_.end(), 0u);
+  at_node_.resize(edge_of_.size());
+  std::unordered_map<VertexId, std::uint32_t> first;
+  for (const CrossedEdge& edge : crossings_.edges())
+    for (const VertexId end : edge.ends) {
+      if (!complex_.field.is_enclosed(end)) continue;
+      for (int i = 0; i < edge.pages(); ++i) {
+        const std::uint32_t crossing = edge.first + static_cast<std::uint32_t>(i);
+        joined_[crossing] = first.try_emplace(end, crossing).first->second;
+        at_node_[crossing] = true;
+      }
+    }
 }
 
 std::vector<FeatureMesh> FeatureMeshBuilder::build(const std::vector<std::uint32_t>& active_leaves,
@@ -88,9 +108,18 @@ void FeatureMeshBuilder::add_leaf(const Leaf& leaf, FeatureSet features, CellPat
 
 void FeatureMeshBuilder::add_fan(const PatchLoop& loop, std::int64_t source, bool certified,
                                  std::vector<Cell>& out) const {
+  const auto joined = [&](PatchVertex v) {
+    if (!v.on_spine) v.number = joined_[v.number];
+    return v;
+  };
+  const auto same = [](const PatchVertex& a, const PatchVertex& b) {
+    return a.on_spine == b.on_spine && a.number == b.number;
+  };
   for_each_triangle(loop, crossings_,
-                    [&](const PatchVertex& a, const PatchVertex& b, const PatchVertex& c) {
-                      out.push_back({{a, b, c}, source, certified});
+                    [&](PatchVertex a, PatchVertex b, PatchVertex c) {
+                      a = joined(a), b = joined(b), c = joined(c);
+                      if (!same(a, b) && !same(b, c) && !same(a, c))
+                        out.push_back({{a, b, c}, source, certified});
                     });
 }
 
@@ -157,6 +186,8 @@ Point FeatureMeshBuilder::position(const PatchVertex& v) const {
 void FeatureMeshBuilder::add_vertex(Feature feature, const PatchVertex& v,
                                     FeatureMesh& mesh) const {
   const auto [p, q, mode] = v.on_spine ? kOnSpine : invariants(feature, v);
+  if (!v.on_spine && at_node_[v.number])
+    mesh.nodes.push_back(static_cast<std::uint32_t>(mesh.points.size()));
   mesh.points.push_back(position(v));
   mesh.p.push_back(p);
   mesh.q.push_back(q);

@@ -40,6 +40,7 @@ class FeatureMeshBuilder {
   Tensor<double> tensor(const PatchVertex& v) const;
   PatchVertex lowest_copy(Feature feature, const PatchVertex& v) const;
   std::int64_t source_cell(TetId tet) const;
+  void join_crossings_at_nodes();
 
   const TensorField& input_;
   const RefinedComplex& complex_;
@@ -48,6 +49,8 @@ class FeatureMeshBuilder {
   const FaceSpinePoints& spine_points_;
   const bool keep_tensors_;
   std::vector<std::uint32_t> edge_of_;  // crossing -> its edge
+  std::vector<std::uint32_t> joined_;   // crossing -> the first one at the same node, else itself
+  std::vector<bool> at_node_;           // per crossing
 };
 
 }  // namespace triplex

@@ -50,7 +50,7 @@ std::vector<std::uint8_t> nodes_at_vertices(const RefinableField& field) {
   std::vector<std::uint8_t> found(field.vertex_count());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.size(), 1024), [&](const auto& range) {
     for (std::size_t v = range.begin(); v < range.end(); ++v)
-      found[v] = is_node(field, VertexId(v));
+      found[v] = !field.is_enclosed(VertexId(v)) && is_node(field, VertexId(v));
   });
   return found;
 }
@@ -64,6 +64,7 @@ std::vector<Task> tasks_of(const RefinedComplex& complex, FeatureSet features) {
     for (const VertexId v : leaf.vertices)
       if (at_vertex[index(v)] != 0) set |= features;
   }
+  for (const NodeVertex& node : complex.nodes) open[index(node.tet)] |= bit(node.feature) & features;
   std::vector<Task> tasks;
   for (std::size_t t = 0; t < open.size(); ++t) {
     if (open[t] == 0) continue;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <stdexcept>
 
 namespace triplex {
 namespace {
@@ -100,6 +101,7 @@ RefinableField::Combination RefinableField::combination(VertexId v) const {
 Tensor<Exact> RefinableField::exact(VertexId v) const { return triple_deviator(exact_tensor(v)); }
 
 Tensor<Exact> RefinableField::exact_tensor(VertexId v) const {
+  if (is_enclosed(v)) throw std::logic_error("the tensor of an enclosed vertex is not known exactly");
   const Combination c = combination(v);
   Tensor<Exact> sum;
   for (int i = 0; i < 4; ++i) {
@@ -127,6 +129,7 @@ void RefinableField::keep_tensors() {
 
 /// Scaling is exact but for underflow; the combination is as in `add_midpoint`.
 ApproximateTensor RefinableField::combine_tensor(VertexId v) const {
+  if (is_enclosed(v)) return combine_enclosed(enclosed_.at(v), true);
   const Combination c = combination(v);
   ApproximateTensor r{};
   for (int i = 0; i < 4; ++i) {
@@ -145,7 +148,54 @@ ApproximateTensor RefinableField::combine_tensor(VertexId v) const {
   return r;
 }
 
+/// Off the centre by `radius` in each weight and by 2^-50 as the sum of the weights is one up to
+/// rounding: as much times the largest entry, four times. Else as in `add_midpoint`.
+ApproximateTensor RefinableField::combine_enclosed(const Enclosed& e, bool with_trace) const {
+  ApproximateTensor r{};
+  double largest = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const ApproximateTensor corner = with_trace ? combine_tensor(e.vertices[i])
+                                                : approximations_[index(e.vertices[i])];
+    for (std::size_t k = 0; k < 9; ++k) r.a[k] += e.weights[i] * corner.a[k];
+    largest = std::fmax(largest, corner.bounds.magnitude);
+    r.bounds.error =
+        std::fmax(r.bounds.error, corner.bounds.error + gamma(5) * corner.bounds.magnitude);
+  }
+  r.bounds.error += 4 * (e.radius + 0x1p-50) * largest * (1 + 0x1p-20);
+  r.bounds.magnitude = largest_entry(r.a);
+  return r;
+}
+
+VertexId RefinableField::add_enclosed(const std::array<VertexId, 4>& tet,
+                                      const std::array<double, 4>& centre, double radius) {
+  const auto v = static_cast<VertexId>(approximations_.size());
+  if (enclosed_.empty()) enclosed_from_ = index(v);
+  const Enclosed e{tet, centre, radius};
+  midpoints_.emplace_back();
+  approximations_.push_back(combine_enclosed(e, false));
+  enclosed_.emplace(v, e);
+  if (!tensors_.empty()) tensors_.push_back(combine_enclosed(e, true));
+  return v;
+}
+
+double RefinableField::weight(VertexId v, VertexId corner) const {
+  const Combination c = combination(v);
+  for (std::size_t i = 0; i < 4; ++i)
+    if (c.numerators[i] != 0 && c.vertices[i] == corner)
+      return std::ldexp(static_cast<double>(c.numerators[i]), -c.depth);
+  return 0;
+}
+
 Point RefinableField::position(VertexId v) const {
+  if (is_enclosed(v)) {
+    const Enclosed& e = enclosed_.at(v);
+    Point x{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Point corner = position(e.vertices[i]);
+      for (std::size_t k = 0; k < 3; ++k) x[k] += e.weights[i] * corner[k];
+    }
+    return x;
+  }
   const Combination c = combination(v);
   if (c.depth == 0) return field_->mesh.points[input_of_[index(v)]];
   std::array<long double, 3> x{};  // wider than double, so that weights of few bits add no rounding
@@ -159,6 +209,10 @@ Point RefinableField::position(VertexId v) const {
 }
 
 std::vector<VertexId> RefinableField::corners(VertexId v) const {
+  if (is_enclosed(v)) {
+    const auto& corners = enclosed_.at(v).vertices;
+    return {corners.begin(), corners.end()};
+  }
   const Combination c = combination(v);
   std::vector<VertexId> r;
   for (int i = 0; i < 4; ++i)
@@ -167,6 +221,7 @@ std::vector<VertexId> RefinableField::corners(VertexId v) const {
 }
 
 std::optional<VertexId> RefinableField::add_midpoint(VertexId a, VertexId b) {
+  if (is_enclosed(a) || is_enclosed(b)) return std::nullopt;
   const std::array<Combination, 2> ends = {combination(a), combination(b)};
   Combination middle;
   middle.depth = std::max(ends[0].depth, ends[1].depth) + 1;

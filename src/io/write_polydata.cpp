@@ -62,6 +62,10 @@ void write_polydata(const std::filesystem::path& file, const FeatureMesh& mesh, 
   add_point_array("mode", mesh.mode);
   add_point_array("p", mesh.p);
   add_point_array("q", mesh.q);
+  std::vector<std::uint8_t> is_node(mesh.points.size(), 0);
+  for (const std::uint32_t v : mesh.nodes) is_node[v] = 1;
+  if (feature == Feature::DegenerateLinear || feature == Feature::DegeneratePlanar)
+    data->GetPointData()->AddArray(detail::to_vtk_array("Node", is_node.data(), is_node.size()));
   const std::vector<std::int64_t> identified(mesh.identified.begin(), mesh.identified.end());
   if (!mesh.identified.empty())
     data->GetPointData()->AddArray(

@@ -11,6 +11,7 @@
 
 #include "bisection.hpp"
 #include "leaf_lookup.hpp"
+#include "node_stars.hpp"
 #include "triplex/certify/sweep.hpp"
 
 namespace triplex {
@@ -18,6 +19,10 @@ namespace {
 
 constexpr std::size_t kGrain = 256;       // tets per task
 constexpr std::size_t kSlice = 1u << 16;  // tets between progress reports
+
+/// A tet that has asked for so many bisections is searched for nodes: few tets need as many for
+/// anything else, and a search costs as much as a hundred certificates.
+constexpr std::uint32_t kBisectionsBeforeSearch = 8;
 
 using StagesPerThread = tbb::enumerable_thread_specific<SignStages>;
 
@@ -29,6 +34,7 @@ class Refinement {
         sweeps_((options.features & kStandardSet) != 0 &&
                 options.table.page_count() == kStandardPages),
         complex_(input),
+        stars_(complex_, options.table, options.features),
         spent_(input.mesh.tets.size(), 0) {
     if (level_sets_ != 0) complex_.field.keep_tensors();
     if (any(options.periodic))
@@ -115,6 +121,7 @@ class Refinement {
                         });
       if (options_.progress) options_.progress(progress(end));
     }
+    plant_nodes();
     return collect_marks();
   }
   double progress(std::size_t done) const {
@@ -153,6 +160,58 @@ class Refinement {
     leaf.obstacle = certificate.obstacle;
     if (certificate.open != 0 && certificate.obstacle != Obstacle::Vertex)
       wishes_.local().push_back({pending_[n], {certificate.edge, certificate.variation}});
+  }
+
+  /// Where refinement lasts there may be nodes: they become vertices as soon as the tets around
+  /// them can be certified.
+  void plant_nodes() {
+    std::vector<std::uint32_t> open;
+    std::vector<TetId> tets;
+    for (const std::uint32_t n : pending_) {
+      const Leaf& leaf = complex_.leaves[n];
+      if (leaf.open == 0 || spent_[index(leaf.input)] < kBisectionsBeforeSearch) continue;
+      open.push_back(n);
+      tets.push_back(leaf.input);
+    }
+    if (open.empty()) return;
+    stars_.search(std::move(tets), stages_.local());
+    std::vector<std::optional<VertexId>> ready(open.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, open.size(), 16), [&](const auto& range) {
+      for (std::size_t n = range.begin(); n < range.end(); ++n)
+        ready[n] = stars_.ready_in(complex_.leaves[open[n]], stages_.local());
+    });
+    std::vector<std::uint32_t> replaced;
+    const std::size_t first = pending_.size();
+    for (std::size_t n = 0; n < open.size(); ++n)
+      if (ready[n]) {
+        replace(open[n], NodeStars::planted(complex_.leaves[open[n]], *ready[n]));
+        stars_.mark_planted(*ready[n]);
+        replaced.push_back(open[n]);
+      }
+    if (replaced.empty()) return;
+    std::ranges::sort(replaced);
+    for (auto& wishes : wishes_)
+      std::erase_if(wishes, [&](const Wish& w) {
+        return std::ranges::binary_search(replaced, w.leaf);
+      });
+    pending_.insert(pending_.begin() + static_cast<std::ptrdiff_t>(first), replaced.begin(),
+                    replaced.end());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(first, pending_.size(), 16),
+                      [&](const auto& range) {
+                        for (std::size_t n = range.begin(); n < range.end(); ++n)
+                          certify(n, SweptCell{}, stages_.local());
+                      });
+  }
+
+  /// Puts the first part in place of the leaf and appends the others; the latter become pending.
+  template <class Parts>
+  void replace(std::uint32_t n, const Parts& parts) {
+    complex_.leaves[n] = parts.front();
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+      pending_.push_back(static_cast<std::uint32_t>(complex_.leaves.size()));
+      complex_.leaves.push_back(parts[i]);
+      lookup_->add_leaf(n);
+    }
   }
 
   /// A tet may ask as long as its input tet had budget left when the round began.
@@ -207,13 +266,8 @@ class Refinement {
     for (const std::uint32_t n : lookup_->leaves_with(marked, complex_.field, complex_.leaves)) {
       parts.clear();
       bisect(complex_.leaves[n], marked, parts);
-      complex_.leaves[n] = parts.front();
       pending_.push_back(n);
-      for (std::size_t i = 1; i < parts.size(); ++i) {
-        pending_.push_back(static_cast<std::uint32_t>(complex_.leaves.size()));
-        complex_.leaves.push_back(parts[i]);
-        lookup_->add_leaf(n);
-      }
+      replace(n, parts);
     }
   }
 
@@ -221,6 +275,7 @@ class Refinement {
   const FeatureSet level_sets_;  // requested
   const bool sweeps_;            // the sweep knows the book
   RefinedComplex complex_;
+  NodeStars stars_;
   StagesPerThread stages_;
   std::vector<std::uint32_t> spent_;    // bisections asked for, per input tet
   std::vector<std::uint32_t> pending_;  // leaves without a current certificate

@@ -92,10 +92,19 @@ class Simplex {
   /// Whether the double filter may be trusted on this simplex.
   bool filter_usable() const { return entries_.usable(); }
 
+  /// Local number of the vertex known by an enclosure only, a node; N if none is.
+  int enclosed_vertex() const {
+    for (int i = 0; i < N; ++i)
+      if (field_->is_enclosed(vertices_[i])) return i;
+    return N;
+  }
+  bool has_enclosed_vertex() const { return enclosed_vertex() < N; }
+
   /// Decides a test for the perturbed field T + eps B, rung by rung.
   /// `test(forms, bounds)` is called with forms over double, Interval, Exact and Perturbed in turn
   /// until one rung answers Yes or No. A test that even the perturbation leaves open is answered
-  /// No: certificates are sufficient conditions, so that is always safe.
+  /// No: certificates are sufficient conditions, so that is always safe. With an enclosed vertex
+  /// the intervals are the last rung.
   template <class Test>
   bool decide(const Test& test, SignStages& stages) const {
     if (filter_usable()) {
@@ -149,6 +158,7 @@ class Simplex {
         return verdict == Verdict::Yes;
       }
     }
+    if (has_enclosed_vertex()) return false;
     if (stages.limit != Stage::Exact) {
       stages.stopped_short = true;
       return false;

@@ -37,6 +37,8 @@ struct FeatureMesh {
   /// The point that this one is a periodic copy of (itself, if of none). Empty unless
   /// `ExtractionOptions::periodic`.
   std::vector<std::uint32_t> identified;
+  /// The points that are nodes, ascending: there the surface is a double cone.
+  std::vector<std::uint32_t> nodes;
   // per cell
   std::vector<std::int64_t> source_cell;  ///< cell id in the input file
   std::vector<std::uint8_t> certified;    ///< 1 where the topology is proven
@@ -50,7 +52,7 @@ struct UnresolvedTet {
 };
 
 /// What was proven, by kind: (leaf tet, page) pairs for exclusion, graph and unresolved; leaf tets
-/// for spine.
+/// for spine, and for radial those around nodes.
 struct CertificateCounts {
   std::uint64_t exclusion = 0, graph = 0, spine = 0, radial = 0, unresolved = 0;
 };

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "triplex/arithmetic/exact.hpp"
@@ -40,13 +41,13 @@ class RefinableField {
   std::vector<VertexId> vertices_of_input() const;
 
   const ApproximateTensor& approximate(VertexId v) const { return approximations_[index(v)]; }
-  /// The tripled deviator 3 T - tr(T) I, exactly, in the units of the input.
+  /// The tripled deviator 3 T - tr(T) I, exactly, in the units of the input. \pre not enclosed.
   Tensor<Exact> exact(VertexId v) const;
   /// T itself, scaled like `approximate`; put together on each call unless `keep_tensors` was
   /// called, from when on it is kept for every vertex.
   ApproximateTensor approximate_tensor(VertexId v) const;
   void keep_tensors();
-  /// T itself, exactly, in the units of the input.
+  /// T itself, exactly, in the units of the input. \pre not enclosed.
   Tensor<Exact> exact_tensor(VertexId v) const;
   /// The position, rounded once per coordinate combination (exact for vertices of the input).
   Point position(VertexId v) const;
@@ -61,6 +62,16 @@ class RefinableField {
   /// reached.
   std::optional<VertexId> add_midpoint(VertexId a, VertexId b);
 
+  /// A point of a tet of the input that is known by an enclosure only: its barycentric coordinates
+  /// lie within `radius` of `centre`, which sums to one up to rounding. Its tensor is known in
+  /// doubles with a proven error, not exactly; no edge that ends there can be halved.
+  VertexId add_enclosed(const std::array<VertexId, 4>& tet, const std::array<double, 4>& centre,
+                        double radius);
+  bool is_enclosed(VertexId v) const { return !enclosed_.empty() && index(v) >= enclosed_from_ &&
+                                              enclosed_.contains(v); }
+  /// The weight of a vertex of the input in a vertex that is not enclosed, exactly.
+  double weight(VertexId v, VertexId corner) const;
+
   /// Weights are multiples of 2^-kMaxDepth, exactly representable as doubles.
   static constexpr int kMaxDepth = 50;
 
@@ -71,7 +82,14 @@ class RefinableField {
     int depth = 0;
   };
   bool is_input(VertexId v) const { return index(v) < input_of_.size(); }
+  /// A point known by an enclosure; the weights are those of its centre.
+  struct Enclosed {
+    std::array<VertexId, 4> vertices{};
+    std::array<double, 4> weights{};
+    double radius = 0;
+  };
   Combination combination(VertexId v) const;
+  ApproximateTensor combine_enclosed(const Enclosed& e, bool with_trace) const;
   ApproximateTensor combine_tensor(VertexId v) const;
 
   const TensorField* field_;
@@ -79,7 +97,9 @@ class RefinableField {
   std::vector<std::array<VertexId, 4>> input_tets_;
   std::vector<ApproximateTensor> approximations_;
   std::vector<ApproximateTensor> tensors_;  // with trace; empty unless kept
-  std::vector<Combination> midpoints_;
+  std::vector<Combination> midpoints_;  // unused where the vertex is enclosed
+  std::unordered_map<VertexId, Enclosed> enclosed_;
+  std::size_t enclosed_from_ = 0;  // no vertex before is
   int scale_exponent_ = 0;
 };
 

@@ -42,6 +42,14 @@ struct RefineOptions {
   const std::atomic<bool>* interrupted = nullptr;
 };
 
+/// A node that may have become a vertex of the refined mesh: known by an enclosure, inside a tet.
+struct NodeVertex {
+  VertexId vertex;
+  TetId tet;        ///< of the input
+  Feature feature;  ///< the degenerate page that is a double cone there
+  bool planted = false;  ///< it is a vertex of leaves
+};
+
 /// The certified complex: a conforming refinement of the input mesh with a label at every vertex.
 struct RefinedComplex {
   explicit RefinedComplex(const TensorField& input) : field(input) {}
@@ -51,6 +59,7 @@ struct RefinedComplex {
   std::vector<LevelSides> sides;      ///< per vertex; empty if no level set is requested
   std::vector<Leaf> leaves;
   PeriodicCopies copies;  ///< on opposite sides
+  std::vector<NodeVertex> nodes;
   std::uint64_t rounds = 0, bisections = 0;
   bool hit_size_limit = false;
   SignStages sign_stages;

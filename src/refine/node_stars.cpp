@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "node_stars.hpp"
+
+#include <CGAL/determinant.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "triplex/certify/node.hpp"
+#include "triplex/certify/star.hpp"
+
+namespace triplex {
+namespace {
+
+/// A quality limit only: tets near curves of nodes would take any number of cells.
+constexpr int kSearchCells = 1000;
+
+using Coordinates = std::array<std::array<Interval, 4>, 4>;
+
+Sign sign_of_determinant(const Coordinates& m) {
+  const Interval d =
+      CGAL::determinant(m[0][0], m[0][1], m[0][2], m[0][3], m[1][0], m[1][1], m[1][2], m[1][3],
+                        m[2][0], m[2][1], m[2][2], m[2][3], m[3][0], m[3][1], m[3][2], m[3][3]);
+  return d.inf() > 0 ? Sign::Positive : d.sup() < 0 ? Sign::Negative : Sign::Zero;
+}
+
+/// The sector on the real side of a degenerate page: a node belongs to its closure, and so does a
+/// whole ring around the node.
+Sector real_side(const FeatureTable& table, Feature page) {
+  const int k = table.position(page);
+  return static_cast<Sector>(page == Feature::DegenerateLinear ? k : k - 1);
+}
+
+}  // namespace
+
+NodeStars::NodeStars(RefinedComplex& complex, const FeatureTable& table, FeatureSet features)
+    : complex_(complex),
+      table_(table),
+      features_(features &
+                (bit(Feature::DegenerateLinear) | bit(Feature::DegeneratePlanar))) {}
+
+void NodeStars::search(std::vector<TetId> tets, SignStages& stages) {
+  if (features_ == 0) return;
+  std::ranges::sort(tets);
+  tets.erase(std::unique(tets.begin(), tets.end()), tets.end());
+  std::erase_if(tets, [&](TetId t) { return waiting_.contains(t); });
+  std::vector<std::array<VertexId, 4>> vertices(tets.size());
+  std::vector<TetNodes> found(tets.size());
+  tbb::parallel_for(std::size_t{0}, tets.size(), [&](std::size_t n) {
+    vertices[n] = complex_.field.input_tets()[index(tets[n])];
+    std::ranges::sort(vertices[n]);
+    found[n] = isolate_nodes(complex_.field, vertices[n], features_, kSearchCells);
+  });
+  for (std::size_t n = 0; n < tets.size(); ++n) {
+    auto& waiting = waiting_[tets[n]];
+    for (const IsolatedNode& node : found[n].nodes) {
+      const std::array<Range, 4> x = {node.first, node.box[0], node.box[1], node.box[2]};
+      if (std::ranges::any_of(x, [](const Range& r) { return r.lo <= 0; })) continue;
+      std::array<double, 4> centre;
+      double radius = 0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        centre[i] = x[i].middle();
+        radius = std::fmax(radius, std::fmax(x[i].hi - centre[i], centre[i] - x[i].lo));
+      }
+      // Roundings here, 2^-53 at most, are covered by what `add_enclosed` adds to the radius.
+      const VertexId v = complex_.field.add_enclosed(vertices[n], centre, radius);
+      complex_.sectors.push_back(static_cast<std::uint8_t>(real_side(table_, node.feature)));
+      if (!complex_.sides.empty())
+        complex_.sides.push_back(sides_at(complex_.field, v, table_, table_.level_sets(), stages));
+      complex_.nodes.push_back({v, tets[n], node.feature});
+      waiting.push_back({v, vertices[n], x});
+    }
+  }
+}
+
+/// Its barycentric coordinates in the leaf are quotients of determinants (Cramer's rule).
+bool NodeStars::holds(const Leaf& leaf, const Waiting& node) const {
+  const IntervalRounding protect;
+  Coordinates m;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j)
+      m[i][j] = Interval(complex_.field.weight(leaf.vertices[i], node.tet[j]));
+  const Sign whole = sign_of_determinant(m);
+  if (whole == Sign::Zero) return false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    Coordinates replaced = m;
+    for (std::size_t j = 0; j < 4; ++j)
+      replaced[i][j] = Interval(node.coordinates[j].lo, node.coordinates[j].hi);
+    if (sign_of_determinant(replaced) != whole) return false;
+  }
+  return true;
+}
+
+std::optional<VertexId> NodeStars::ready_in(const Leaf& leaf, SignStages& stages) const {
+  const auto waiting = waiting_.find(leaf.input);
+  if (waiting == waiting_.end() || waiting->second.empty()) return {};
+  if (std::ranges::any_of(leaf.vertices,
+                          [&](VertexId v) { return complex_.field.is_enclosed(v); }))
+    return {};
+  for (const Waiting& node : waiting->second)
+    if (holds(leaf, node) &&
+        certifies_star(Simplex<4>(complex_.field, leaf.vertices), node.vertex, stages))
+      return node.vertex;
+  return {};
+}
+
+std::array<Leaf, 4> NodeStars::planted(const Leaf& leaf, VertexId node) {
+  std::array<Leaf, 4> parts;
+  for (std::size_t i = 0; i < 4; ++i) {
+    Leaf& part = parts[i];
+    part = {.vertices = leaf.vertices, .input = leaf.input, .flipped = leaf.flipped};
+    part.vertices[i] = node;
+    for (std::size_t k = 0; k < 3; ++k)  // back to ascending order; every swap flips
+      for (std::size_t m = 0; m < 3 - k; ++m)
+        if (part.vertices[m + 1] < part.vertices[m]) {
+          std::swap(part.vertices[m], part.vertices[m + 1]);
+          part.flipped = !part.flipped;
+        }
+  }
+  return parts;
+}
+
+void NodeStars::mark_planted(VertexId node) {
+  const auto planted = std::ranges::find(complex_.nodes, node, &NodeVertex::vertex);
+  planted->planted = true;
+  std::erase_if(waiting_[planted->tet], [&](const Waiting& w) { return w.vertex == node; });
+}
+
+}  // namespace triplex

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "triplex/certify/node.hpp"
+#include "triplex/refine/refine.hpp"
+
+namespace triplex {
+
+/// Nodes on their way to becoming vertices of the refined mesh: those proven to lie inside a tet of
+/// the input. Each gets a vertex, known by an enclosure; the leaf that holds it is replaced by the
+/// four tets around it as soon as their certificates hold. Source: proofs/star.md.
+class NodeStars {
+ public:
+  NodeStars(RefinedComplex& complex, const FeatureTable& table, FeatureSet features);
+
+  /// Looks for nodes in tets of the input, each once. The vertices are labelled.
+  void search(std::vector<TetId> tets, SignStages& stages);
+  /// The node to be planted in a leaf, if any is ready. Only reads.
+  std::optional<VertexId> ready_in(const Leaf& leaf, SignStages& stages) const;
+  /// Replaces a leaf by the four tets around a node in it.
+  static std::array<Leaf, 4> planted(const Leaf& leaf, VertexId node);
+  void mark_planted(VertexId node);
+
+ private:
+  /// A node of one tet: its vertex, and the ranges of its barycentric coordinates there.
+  struct Waiting {
+    VertexId vertex;
+    std::array<VertexId, 4> tet;
+    std::array<Range, 4> coordinates;
+  };
+  bool holds(const Leaf& leaf, const Waiting& node) const;
+
+  RefinedComplex& complex_;
+  const FeatureTable& table_;
+  const FeatureSet features_;  // the degenerate pages among those requested
+  std::unordered_map<TetId, std::vector<Waiting>> waiting_;  // has every tet that was searched
+};
+
+}  // namespace triplex
