@@ -61,20 +61,26 @@ double largest_least_product(std::span<Vector> g) {
   double longest = 0;
   for (const Vector& x : g) longest = std::max(longest, std::sqrt(dot(x, x)));
   if (!(longest > 0) || !std::isfinite(1 / longest)) return 0;
-  Vector direction{};
+  Vector sum{};
   for (Vector& x : g)
-    for (std::size_t k = 0; k < 4; ++k) direction[k] += (x[k] /= longest);
-  direction = unit(direction);
-  Least least = least_product(g, direction);
-  for (const Vector& x : g)
-    if (const Least other = least_product(g, unit(x)); other.value > least.value) {
+    for (std::size_t k = 0; k < 4; ++k) sum[k] += (x[k] /= longest);
+
+  Vector direction{};
+  Least least{0, -1};
+  const auto consider = [&](const Vector& d) {
+    if (!(dot(d, d) > 0)) return;
+    if (const Least other = least_product(g, unit(d)); other.value >= least.value) {
       least = other;
-      direction = unit(x);
+      direction = unit(d);
     }
+  };
+  consider(sum);
+  for (const Vector& x : g) consider(x);
   double best = least.value;
   constexpr int kSteps = 24;
   for (int step = 1; step <= kSteps && best < 0; ++step) {
     for (std::size_t k = 0; k < 4; ++k) direction[k] += g[least.at][k] / step;
+    if (!(dot(direction, direction) > 0)) break;
     direction = unit(direction);
     least = least_product(g, direction);
     best = std::max(best, least.value);
