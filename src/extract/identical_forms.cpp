@@ -28,6 +28,14 @@ bool discriminant_vanishes(const Forms<Exact, N>& f) {
   return all_zero(minus_discriminant(f));
 }
 
+template <std::size_t N>
+bool all_equal(const std::array<Tensor<Exact>, N>& tensors) {
+  for (std::size_t i = 1; i < N; ++i)
+    for (std::size_t k = 0; k < 9; ++k)
+      if (!(tensors[i][k] - tensors[0][k]).is_zero()) return false;
+  return true;
+}
+
 /// Whether some coefficient is certainly not zero.
 bool any_beyond(const auto& coefficients, double error) {
   for (const double c : coefficients)
@@ -77,7 +85,9 @@ IdentitySet identities(const RefinableField& field, const std::array<VertexId, N
     if (q) q = !any_beyond(simplex.approximate().q, simplex.bounds().q_error);
     if (!(p || q || d)) return linear;
   }
-  const Forms<Exact, N> f = forms_of<Exact, N>(simplex.exact_tensors());
+  const std::array<Tensor<Exact>, N> tensors = simplex.exact_tensors();
+  if (all_equal(tensors)) return linear | identity_of(p, q, d);  // constant: as at the vertices
+  const Forms<Exact, N> f = forms_of<Exact, N>(tensors);
   p = p && all_zero(f.p);
   q = q && all_zero(f.q);
   // If one of p and q vanishes and the other does not, D does not either.

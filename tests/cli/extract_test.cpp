@@ -236,6 +236,8 @@ TEST(Meshes, DoNotDependOnTheNumberOfThreads) {
                 file_content(mesh_file(directory / "two", row)))
         << row.name;
   }
+  EXPECT_EQ(file_content(directory / "one" / "unresolved.vtu"),
+            file_content(directory / "two" / "unresolved.vtu"));
 }
 
 TEST(Features, OnlyThoseAskedForAreReported) {
