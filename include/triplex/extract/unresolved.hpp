@@ -35,7 +35,7 @@ struct UnresolvedTet {
   /// By how much the graph certificate misses on the largest open cell, in [-1, 0]; not certified
   /// (`graph_margin_approx`). Nothing where another certificate failed.
   std::optional<double> margin;
-  IdentitySet touches = 0;    ///< what holds identically on simplices that share a vertex with it
+  IdentitySet touches = 0;  ///< what holds identically on simplices that share a vertex with it
 };
 
 /// The open cells as a mesh of tets, positively oriented.
