@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "triplex/arithmetic/interval.hpp"
+#include "triplex/certify/enclosure.hpp"
 
 namespace triplex {
 namespace {
@@ -202,12 +203,6 @@ Range range_of(const Interval& x) { return {x.inf(), x.sup()}; }
   Interval x(1.0);
   for (std::size_t k = 0; k < 3; ++k) x = x - Interval(box[k].lo, box[k].hi);
   return range_of(x);
-}
-
-[[gnu::noinline]] Range enclosure(const Exact& x) {
-  const IntervalRounding protect;
-  const auto [lo, hi] = CGAL::to_interval(x);
-  return (x - Exact(lo)).is_zero() ? Range{lo, lo} : Range{lo, hi};
 }
 
 }  // namespace

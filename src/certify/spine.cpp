@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "triplex/certify/witness.hpp"
 
@@ -101,21 +102,34 @@ struct TangentAdvances {
   }
 };
 
-}  // namespace
-
-bool certifies_injective(const Simplex<3>& face, SignStages& stages) {
-  // The witness: the inverse of the mean Jacobian.
+/// The witness: the inverse of the mean Jacobian, if it has one.
+std::optional<std::array<double, 4>> inverse_mean_jacobian(const Forms<double, 3>& f) {
   std::array<double, 4> mean{};
   for (const auto& [i, j] : pairs<3>()) {
-    const auto J = jacobian(face.approximate(), i, j);
+    const auto J = jacobian(f, i, j);
     for (int k = 0; k < 4; ++k) mean[k] += J[k] / 6;
   }
   const double determinant = mean[0] * mean[3] - mean[1] * mean[2];
-  if (determinant == 0 || !std::isfinite(1 / determinant)) return false;
+  if (determinant == 0 || !std::isfinite(1 / determinant)) return std::nullopt;
   std::array<double, 4> c = {mean[3] / determinant, -mean[1] / determinant, -mean[2] / determinant,
                              mean[0] / determinant};
   for (double& x : c) x = few_bits(x);
-  return face.decide(PositiveDefinite{c}, stages);
+  return c;
+}
+
+}  // namespace
+
+bool certifies_injective(const Simplex<3>& face, SignStages& stages) {
+  const auto c = inverse_mean_jacobian(face.approximate());
+  return c && face.decide(PositiveDefinite{*c}, stages);
+}
+
+bool certifies_injective(const Forms<Interval, 3>& forms) {
+  Forms<double, 3> lower;
+  for (std::size_t n = 0; n < forms.p.size(); ++n) lower.p[n] = forms.p[n].inf();
+  for (std::size_t n = 0; n < forms.q.size(); ++n) lower.q[n] = forms.q[n].inf();
+  const auto c = inverse_mean_jacobian(lower);
+  return c && PositiveDefinite{*c}(forms, FormBounds()) == Verdict::Yes;
 }
 
 bool certifies_monotone_spine(const Simplex<4>& cell, SignStages& stages) {

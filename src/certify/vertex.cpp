@@ -108,4 +108,20 @@ Sector sector_approx(const RefinableField& field, VertexId v, const FeatureTable
   return *sector;
 }
 
+VanishingInvariants vanishing_at(const RefinableField& field, VertexId v) {
+  const Simplex<1> vertex(field, {v});
+  VanishingInvariants zero;
+  // Unknown: of a double, too near to zero to tell; of an exact number, zero.
+  const auto narrow = [&](const auto& forms) {
+    const auto &P = forms.p[0], &Q = forms.q[0];
+    const FormBounds& bounds = vertex.bounds();
+    zero.p = zero.p && certainty(P, bounds.p_error) == Certainty::Unknown;
+    zero.q = zero.q && certainty(Q, bounds.q_error) == Certainty::Unknown;
+    zero.discriminant = zero.discriminant && discriminant(P, Q, bounds) == Certainty::Unknown;
+  };
+  if (vertex.filter_usable()) narrow(vertex.approximate());
+  if (zero.p || zero.q || zero.discriminant) narrow(forms_of<Exact, 1>(vertex.exact_tensors()));
+  return zero;
+}
+
 }  // namespace triplex

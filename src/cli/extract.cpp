@@ -19,6 +19,7 @@
 #include "triplex/extract/extraction.hpp"
 #include "triplex/io/atomic_file.hpp"
 #include "triplex/io/read_field.hpp"
+#include "triplex/io/write_cells.hpp"
 #include "triplex/io/write_domains.hpp"
 #include "triplex/io/write_mesh.hpp"
 #include "triplex/io/write_nodes.hpp"
@@ -81,6 +82,19 @@ std::vector<PointValues> evaluate_arrays(const FeatureMesh& mesh,
   return arrays;
 }
 
+/// Files that are there only if they hold something.
+void write_places(const Extraction& extraction, StagedDirectory& directory) {
+  constexpr const char *kOpen = "unresolved.vtu", *kIdentical = "identical.vtu";
+  if (extraction.open_cells.tets.empty())
+    directory.drop(kOpen);
+  else
+    write_open_cells(directory.stage(kOpen), extraction.open_cells);
+  if (extraction.identical.simplices.empty())
+    directory.drop(kIdentical);
+  else
+    write_identical(directory.stage(kIdentical), extraction.identical);
+}
+
 // The meshes first, the report last: where the report is, the set is complete.
 void write_results(const ExtractRequest& request, const TensorField& field,
                    const Extraction& extraction, const FeatureSummaries& summaries,
@@ -102,6 +116,7 @@ void write_results(const ExtractRequest& request, const TensorField& field,
     write_collection(directory.stage("features.vtpc"), blocks);
   }
   if (request.domains) write_domains(directory.stage("domains.vtu"), extraction.domains);
+  write_places(extraction, directory);
   steps.timing.write = steps.step.lap();
   steps.timing.total = steps.total.lap();
   write_text_file(directory.stage("report.json"),

@@ -10,6 +10,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "report_places.hpp"
 #include "version.hpp"
 
 namespace triplex::cli {
@@ -80,13 +81,14 @@ Json surface_json(const FeatureSummary& summary) {
           {"unresolved", summary.unresolved}};
 }
 
-Json curve_json(const FeatureSummary& summary) {
+Json curve_json(const FeatureSummary& summary, const SpineAccuracy& accuracy) {
   const CurveTopology& c = summary.curve;
-  return {{"vertices", c.vertices},
-          {"segments", c.segments},
-          {"components", c.components},
-          {"closed", c.closed},
-          {"length", summary.measure}};
+  return {{"vertices", c.vertices},           {"segments", c.segments},
+          {"components", c.components},       {"closed", c.closed},
+          {"open", c.components - c.closed},  {"length", summary.measure},
+          {"largest_error", accuracy.error},  {"largest_error_in_face", accuracy.coordinate_error},
+          {"proven_points", accuracy.proven}, {"unproven_points", accuracy.unproven},
+          {"unresolved", summary.unresolved}};
 }
 
 Json features_json(const Extraction& extraction, const FeatureSummaries& summaries) {
@@ -94,7 +96,8 @@ Json features_json(const Extraction& extraction, const FeatureSummaries& summari
   for (const Feature f : reading_order(extraction.requested)) {
     const FeatureRow& row = extraction.table.row(f);
     const FeatureSummary& summary = summaries[index(f)];
-    json[row.name] = row.kind == FeatureKind::Curve ? curve_json(summary) : surface_json(summary);
+    json[row.name] = row.kind == FeatureKind::Curve ? curve_json(summary, extraction.spine_accuracy)
+                                                    : surface_json(summary);
   }
   return json;
 }
@@ -103,16 +106,6 @@ Json domains_json(const DomainMesh& mesh) {
   Json json = Json::object();
   const auto volumes = domain_volumes_approx(mesh);
   for (std::size_t d = 0; d < kDomains; ++d) json[name_of(static_cast<Domain>(d))] = volumes[d];
-  return json;
-}
-
-Json unresolved_json(const Extraction& extraction) {
-  Json json = Json::array();
-  for (const UnresolvedTet& tet : extraction.unresolved) {
-    json.push_back({{"tet", tet.source_cell},
-                    {"features", names_of(extraction.table, tet.features)},
-                    {"reason", tet.reason}});
-  }
   return json;
 }
 
@@ -206,7 +199,10 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
   if (request.domains) report["domains"] = domains_json(extraction.domains);
   report["nodes"] = nodes_json(extraction);
   report["nodes_undecided"] = nodes_undecided_json(field, extraction);
+  report["identical"] = identical_json(extraction.identical);
   report["unresolved"] = unresolved_json(extraction);
+  report["open_cells"] = {{"written", extraction.open_cells.tets.size()},
+                          {"left_out", extraction.open_cells.left_out}};
   report["timing_s"] = {{"read", timing.read},
                         {"refine", extraction.timing.refine_s},
                         {"nodes", extraction.timing.nodes_s},
@@ -261,6 +257,7 @@ std::string make_table(const Extraction& extraction, const FeatureSummaries& sum
     fmt::format_to(out, "domains: {} cells, {} of them cut out by pages\n", domains.cells(),
                    domains.polyhedra());
   table += nodes_line(extraction);
+  table += identical_lines(extraction.identical);
   const std::size_t open = extraction.unresolved.size();
   if (open == 0) {
     fmt::format_to(out, "certified: every cell is decided\n");

@@ -45,11 +45,17 @@ std::filesystem::path StagedDirectory::stage(const std::string& name) {
   return folder_ / name;
 }
 
+void StagedDirectory::drop(const std::string& name) { dropped_.push_back(name); }
+
 void StagedDirectory::commit() {
   if (names_.empty()) return;
   std::error_code error;
-  std::filesystem::remove(target_ / names_.back(), error);
-  if (error) fail("cannot replace", target_ / names_.back(), error);
+  std::vector<std::string> old = {names_.back()};
+  old.insert(old.end(), dropped_.begin(), dropped_.end());
+  for (const std::string& name : old) {
+    std::filesystem::remove(target_ / name, error);
+    if (error) fail("cannot replace", target_ / name, error);
+  }
   for (const std::string& name : names_) {
     std::filesystem::rename(folder_ / name, target_ / name, error);
     if (error) fail("cannot write", target_ / name, error);

@@ -22,6 +22,9 @@ class StagedDirectory {
   /// Where to write the file that is to be called `name`; files appear in the order of these calls.
   std::filesystem::path stage(const std::string& name);
 
+  /// A file of that name from an earlier run, which is no part of this set, goes with `commit`.
+  void drop(const std::string& name);
+
   /// Renames all files into the directory. The last one is removed from the target first, so that
   /// where it exists, the set is complete. \throw IoError.
   void commit();
@@ -32,6 +35,7 @@ class StagedDirectory {
   bool created_target_ = false;
   bool committed_ = false;
   std::vector<std::string> names_;
+  std::vector<std::string> dropped_;
 };
 
 }  // namespace triplex::cli

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triplex/extract/extraction.hpp"
 
-#include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 #include <tbb/task_arena.h>
@@ -16,6 +15,7 @@
 #include "feature_mesh.hpp"
 #include "triplex/arithmetic/fp_environment.hpp"
 #include "triplex/refine/refine.hpp"
+#include "unresolved.hpp"
 
 namespace triplex {
 namespace {
@@ -39,7 +39,7 @@ class Stopwatch {
 };
 
 /// Opens the tets whose patches rest on something that could not be computed: the side of the spine
-/// of one of their edges, or the place of the triple degenerate point on one of their faces.
+/// of one of their edges, or an enclosure of the triple degenerate point on one of their faces.
 void open_unsettled(const EdgeCrossings& crossings, const FaceSpinePoints& spine_points,
                     const std::vector<std::uint32_t>& active, FeatureSet features,
                     RefinedComplex& complex) {
@@ -56,15 +56,14 @@ void open_unsettled(const EdgeCrossings& crossings, const FaceSpinePoints& spine
                              {v[0], v[1], v[3]},
                              {v[0], v[1], v[2]}}) {
       const int point = spine_points.find(face);
-      if (point >= 0 && !spine_points.points()[static_cast<std::size_t>(point)].converged)
+      if (point >= 0 && !spine_points.points()[static_cast<std::size_t>(point)].proven())
         return true;
     }
     return false;
   };
   const bool all_edges =
       std::ranges::none_of(crossings.edges(), [](const CrossedEdge& e) { return e.open; });
-  const bool all_points =
-      std::ranges::all_of(spine_points.points(), [](const SpinePoint& p) { return p.converged; });
+  const bool all_points = std::ranges::all_of(spine_points.points(), &SpinePoint::proven);
   if (all_edges && all_points) return;
   for (const std::uint32_t n : active) {
     Leaf& leaf = complex.leaves[n];
@@ -111,53 +110,15 @@ CertificateCounts count_certificates(const RefinedComplex& complex, FeatureSet f
                               CertificateCounts{}, add, join);
 }
 
-/// The tets that hold a node, ascending.
-std::vector<TetId> tets_with_nodes(const std::vector<Node>& nodes) {
-  std::vector<TetId> tets;
-  for (const Node& node : nodes)
-    if (node.status != NodeStatus::Shared) tets.push_back(node.tet);
-  std::ranges::sort(tets);
-  return tets;
-}
-
-/// The open leaves, gathered by tet of the input; the gravest obstacle names the reason.
-std::vector<UnresolvedTet> unresolved_tets(const TensorField& input, const RefinedComplex& complex,
-                                           const std::vector<Node>& nodes,
-                                           const ExtractionOptions& options) {
-  const std::vector<TetId> with_nodes = tets_with_nodes(nodes);
-  struct Open {
-    TetId tet;
-    FeatureSet features;
-    Obstacle obstacle;
-  };
-  std::vector<Open> open;
-  for (const Leaf& leaf : complex.leaves)
-    if (leaf.open != 0) open.push_back({leaf.input, leaf.open, leaf.obstacle});
-  std::stable_sort(open.begin(), open.end(),
-                   [](const Open& a, const Open& b) { return a.tet < b.tet; });
-
-  std::vector<UnresolvedTet> result;
-  for (std::size_t n = 0; n < open.size();) {
-    Open tet = open[n];
-    for (; n < open.size() && open[n].tet == tet.tet; ++n) {
-      tet.features |= open[n].features;
-      tet.obstacle = std::min(tet.obstacle, open[n].obstacle);
-    }
-    const std::int64_t source = input.source_cells.empty()
-                                    ? static_cast<std::int64_t>(index(tet.tet))
-                                    : input.source_cells[index(tet.tet)];
-    const std::string limit =
-        complex.hit_size_limit
-            ? std::string("the refined mesh reached its size limit")
-            : fmt::format("budget of {} bisections spent", options.max_bisections);
-    const std::string_view node =
-        std::ranges::binary_search(with_nodes, tet.tet) ? "contains a node; " : "";
-    result.push_back(
-        {source, tet.features, fmt::format("{}{}; {}", node, describe(tet.obstacle), limit)});
+SpineAccuracy accuracy_of(const FaceSpinePoints& spine_points) {
+  SpineAccuracy accuracy;
+  for (const SpinePoint& point : spine_points.points()) {
+    ++(point.proven() ? accuracy.proven : accuracy.unproven);
+    if (!point.proven()) continue;
+    accuracy.error = std::max(accuracy.error, point.error);
+    accuracy.coordinate_error = std::max(accuracy.coordinate_error, point.coordinate_error);
   }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const auto& a, const auto& b) { return a.source_cell < b.source_cell; });
-  return result;
+  return accuracy;
 }
 
 /// What is certified: what is asked for, and all that cuts the domain if that is.
@@ -216,10 +177,13 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
   result.sign_stages = stages;
   result.certificates = count_certificates(complex, certified);
   result.refinement = {complex.rounds, complex.bisections, complex.leaves.size()};
-  result.unresolved = unresolved_tets(field, complex, result.nodes, options);
+  result.identical = find_identical(field, complex.field);
+  result.unresolved = unresolved_tets(field, complex, result.nodes, result.identical, options);
+  result.open_cells = open_cells(field, complex);
   for (const Crossing& c : crossings.crossings())
     if (c.error < 1)
       result.largest_crossing_error = std::max(result.largest_crossing_error, c.error);
+  result.spine_accuracy = accuracy_of(spine_points);
   result.timing.extract_s += watch.lap();
   return result;
 }

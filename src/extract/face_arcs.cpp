@@ -7,12 +7,22 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "triplex/certify/simplex.hpp"
+#include "triplex/certify/spine_point.hpp"
 
 namespace triplex {
 namespace {
+
+/// From the first corner, so that a coordinate that all corners share is kept exactly.
+Point position_of(const RefinableField& field, const SpinePoint& point) {
+  const Point origin = field.position(point.face[0]);
+  Point x = origin;
+  for (int i = 1; i < 3; ++i) {
+    const Point corner = field.position(point.face[i]);
+    for (int k = 0; k < 3; ++k) x[k] += point.barycentric[i] * (corner[k] - origin[k]);
+  }
+  return x;
+}
 
 int directed_rotation(const EdgeCrossings& crossings, VertexId a, VertexId b) {
   const CrossedEdge* edge = crossings.find(std::min(a, b), std::max(a, b));
@@ -20,63 +30,74 @@ int directed_rotation(const EdgeCrossings& crossings, VertexId a, VertexId b) {
   return a < b ? edge->rotation : -edge->rotation;
 }
 
-/// p and q with their derivatives at a point of a triangle (coordinates y, z of vertices 1 and 2).
-struct Jet {
-  std::array<double, 2> value{};
-  std::array<std::array<double, 2>, 2> derivative{};
-};
-Jet evaluate(const Forms<double, 3>& f, const std::array<double, 3>& w) {
-  Jet jet;
-  std::array<double, 3> dp{}, dq{};
-  for (int i = 0; i < 3; ++i)
-    for (int a = 0; a < 3; ++a) {
-      dp[a] += 2 * w[i] * f.P(i, a);
-      for (int j = 0; j < 3; ++j) dq[a] += 3 * w[i] * w[j] * f.Q(i, j, a);
-    }
-  for (int a = 0; a < 3; ++a) {
-    jet.value[0] += w[a] * dp[a] / 2;
-    jet.value[1] += w[a] * dq[a] / 3;
+/// The exact position of a vertex, as intervals. \pre inside an `IntervalRounding`.
+std::array<Interval, 3> position_of(const RefinableField& field, VertexId v) {
+  const auto exact = field.exact_position(v);
+  std::array<Interval, 3> x;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Range range = enclosure(exact[k]);
+    x[k] = Interval(range.lo, range.hi);
   }
-  for (int a = 1; a < 3; ++a) {
-    jet.derivative[0][a - 1] = dp[a] - dp[0];
-    jet.derivative[1][a - 1] = dq[a] - dq[0];
-  }
-  return jet;
+  return x;
 }
 
-/// Newton's iteration for p = q = 0 from one start, kept inside the triangle.
-bool iterate(const Forms<double, 3>& f, std::array<double, 3>& w) {
-  constexpr int kSteps = 40;
-  constexpr double kConverged = 0x1p-48;  // step, as a fraction of the face
-  for (int step = 0; step < kSteps; ++step) {
-    const Jet jet = evaluate(f, w);
-    const auto& J = jet.derivative;
-    const double determinant = J[0][0] * J[1][1] - J[0][1] * J[1][0];
-    const double dy = (jet.value[0] * J[1][1] - jet.value[1] * J[0][1]) / determinant;
-    const double dz = (jet.value[1] * J[0][0] - jet.value[0] * J[1][0]) / determinant;
-    if (!std::isfinite(dy) || !std::isfinite(dz)) return false;
-    w[1] = std::clamp(w[1] - dy, 0.0, 1.0);
-    w[2] = std::clamp(w[2] - dz, 0.0, 1.0);
-    if (const double sum = w[1] + w[2]; sum > 1) {
-      w[1] /= sum;
-      w[2] /= sum;
-    }
-    w[0] = 1 - w[1] - w[2];
-    if (std::fabs(dy) + std::fabs(dz) < kConverged) return true;
+/// How far the true point may be from where `point` is put, rounded up.
+[[gnu::noinline]] double distance_bound(const RefinableField& field, const SpinePoint& point,
+                                        const FaceBox& box) {
+  const Point placed = position_of(field, point);
+  const IntervalRounding protect;
+  const auto origin = position_of(field, point.face[0]);
+  const auto first = position_of(field, point.face[1]);
+  const auto second = position_of(field, point.face[2]);
+  const Interval y(box[1].lo, box[1].hi), z(box[2].lo, box[2].hi);
+  std::array<double, 3> d{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Interval x = origin[k] + y * (first[k] - origin[k]) + z * (second[k] - origin[k]);
+    d[k] = CGAL::abs(x - Interval(placed[k])).sup();
   }
-  return false;
+  const double largest = std::max({d[0], d[1], d[2]});
+  if (largest == 0) return 0;
+  Interval square(0.0);  // in units of the largest: no overflow on the way
+  for (const double x : d) square += CGAL::square(Interval(x) / Interval(largest));
+  return (Interval(largest) * CGAL::sqrt(square)).sup();
+}
+
+/// The largest difference of a coordinate, rounded up.
+[[gnu::noinline]] double coordinate_error(const FacePoint& w, const FaceBox& box) {
+  const IntervalRounding protect;
+  double error = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Interval d = Interval(box[i].lo, box[i].hi) - Interval(w[i]);
+    error = std::max({error, -d.inf(), d.sup()});
+  }
+  return error;
+}
+
+/// The middle of a box, moved into the face.
+FacePoint nearest_in_face(const FaceBox& box) {
+  FacePoint w;
+  for (std::size_t i = 0; i < 3; ++i) w[i] = std::clamp(box[i].middle(), 0.0, 1.0);
+  if (const double sum = w[1] + w[2]; sum > 1) {
+    w[1] /= sum;
+    w[2] /= sum;
+  }
+  w[0] = 1 - w[1] - w[2];
+  return w;
 }
 
 SpinePoint locate(const RefinableField& field, const std::array<VertexId, 3>& face) {
-  const Simplex<3> simplex(field, face);
   constexpr double kThird = 1.0 / 3;
-  constexpr std::array<std::array<double, 3>, 4> kStarts = {
-      {{kThird, kThird, kThird}, {0.8, 0.1, 0.1}, {0.1, 0.8, 0.1}, {0.1, 0.1, 0.8}}};
-  for (const auto& start : kStarts) {
-    std::array<double, 3> w = start;
-    if (iterate(simplex.approximate(), w)) return {face, w, true};
-  }
-  return {face, kStarts[0], false};
+  SpinePoint point{.face = face, .barycentric = {kThird, kThird, kThird}};
+  const Simplex<3> simplex(field, face);
+  const auto guess = spine_point_approx(simplex);
+  if (!guess) return point;
+  point.barycentric = *guess;
+  const auto box = enclose_spine_point(simplex, *guess);
+  if (!box) return point;
+  point.barycentric = nearest_in_face(*box);
+  point.coordinate_error = coordinate_error(point.barycentric, *box);
+  point.error = distance_bound(field, point, *box);
+  return point;
 }
 
 /// p, or q, has one sign at all vertices. Rotations between such sectors are differences of angles
@@ -139,14 +160,7 @@ int FaceSpinePoints::find(const std::array<VertexId, 3>& face) const {
 }
 
 Point FaceSpinePoints::position(const RefinedComplex& complex, const SpinePoint& point) const {
-  // From the first corner, so that a coordinate that all corners share is kept exactly.
-  const Point origin = complex.field.position(point.face[0]);
-  Point x = origin;
-  for (int i = 1; i < 3; ++i) {
-    const Point corner = complex.field.position(point.face[i]);
-    for (int k = 0; k < 3; ++k) x[k] += point.barycentric[i] * (corner[k] - origin[k]);
-  }
-  return x;
+  return position_of(complex.field, point);
 }
 
 }  // namespace triplex

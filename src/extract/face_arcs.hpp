@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "edge_crossings.hpp"
@@ -14,7 +15,12 @@ namespace triplex {
 struct SpinePoint {
   std::array<VertexId, 3> face;         ///< ascending
   std::array<double, 3> barycentric{};  ///< of the point p = q = 0
-  bool converged = false;  ///< Newton's iteration reached rounding level inside the face
+  /// Proven bounds on the distance to the true point: in each barycentric coordinate, and in units
+  /// of length from `FaceSpinePoints::position`. Infinite where nothing is proven.
+  double coordinate_error = std::numeric_limits<double>::infinity();
+  double error = std::numeric_limits<double>::infinity();
+
+  bool proven() const { return coordinate_error < std::numeric_limits<double>::infinity(); }
 };
 
 /// All faces of active tets around which (p, q) winds, each once, with their points.

@@ -192,6 +192,8 @@ void FeatureMeshBuilder::add_vertex(Feature feature, const PatchVertex& v,
   mesh.p.push_back(p);
   mesh.q.push_back(q);
   mesh.mode.push_back(mode);
+  if (feature == Feature::TripleCurve)
+    mesh.position_error.push_back(spine_points_.points()[v.number].error);
   if (keep_tensors_) mesh.tensors.push_back(tensor(v));
 }
 

@@ -100,18 +100,28 @@ RefinableField::Combination RefinableField::combination(VertexId v) const {
 
 Tensor<Exact> RefinableField::exact(VertexId v) const { return triple_deviator(exact_tensor(v)); }
 
-Tensor<Exact> RefinableField::exact_tensor(VertexId v) const {
+template <std::size_t N>
+std::array<Exact, N> RefinableField::exact_combination(
+    VertexId v, const std::vector<std::array<double, N>>& of_input) const {
   if (is_enclosed(v)) throw std::logic_error("the tensor of an enclosed vertex is not known exactly");
   const Combination c = combination(v);
-  Tensor<Exact> sum;
+  std::array<Exact, N> sum;
   for (int i = 0; i < 4; ++i) {
     if (c.numerators[i] == 0) continue;
     // n < 2^51 is exact as a double, and so is the scaling by a power of two.
     const Exact weight(std::ldexp(static_cast<double>(c.numerators[i]), -c.depth));
-    const Tensor<double>& t = field_->tensors[input_of_[index(c.vertices[i])]];
-    for (int k = 0; k < 9; ++k) sum[k] = sum[k] + weight * Exact(t[k]);
+    const std::array<double, N>& x = of_input[input_of_[index(c.vertices[i])]];
+    for (std::size_t k = 0; k < N; ++k) sum[k] = sum[k] + weight * Exact(x[k]);
   }
   return sum;
+}
+
+Tensor<Exact> RefinableField::exact_tensor(VertexId v) const {
+  return exact_combination(v, field_->tensors);
+}
+
+std::array<Exact, 3> RefinableField::exact_position(VertexId v) const {
+  return exact_combination(v, field_->mesh.points);
 }
 
 ApproximateTensor RefinableField::approximate_tensor(VertexId v) const {

@@ -4,6 +4,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkTypeInt64Array.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "triplex/topology/curve_topology.hpp"
 #include "vtk_output.hpp"
 
 namespace triplex {
@@ -34,12 +36,37 @@ vtkSmartPointer<vtkCellArray> to_vtk_cells(const std::vector<std::array<std::uin
   return result;
 }
 
+/// The curve as polylines and loops: what the file has in place of segments.
+struct Polylines {
+  vtkSmartPointer<vtkCellArray> lines = vtkSmartPointer<vtkCellArray>::New();
+  std::vector<std::int64_t> source_cell;  // -1: several
+  std::vector<std::uint8_t> certified;
+  std::vector<std::int64_t> segment_source_cell;
+
+  explicit Polylines(const FeatureMesh& mesh) {
+    const auto certified_segments = std::span(mesh.certified).first(mesh.segments.size());
+    for (const CurveChain& chain :
+         curve_chains(mesh.segments, mesh.points.size(), certified_segments)) {
+      const std::vector<vtkIdType> ids(chain.points.begin(), chain.points.end());
+      lines->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+      std::int64_t source = mesh.source_cell[chain.segments.front()];
+      for (const std::uint32_t s : chain.segments) {
+        if (mesh.source_cell[s] != source) source = -1;
+        segment_source_cell.push_back(mesh.source_cell[s]);
+      }
+      source_cell.push_back(source);
+      certified.push_back(mesh.certified[chain.segments.front()]);
+    }
+  }
+};
+
 }  // namespace
 
 void check_arrays(const FeatureMesh& mesh, std::span<const PointValues> extra) {
   const std::size_t points = mesh.points.size();
   const std::size_t cells = mesh.segments.size() + mesh.triangles.size();
   if (mesh.p.size() != points || mesh.q.size() != points || mesh.mode.size() != points ||
+      (!mesh.position_error.empty() && mesh.position_error.size() != points) ||
       (!mesh.identified.empty() && mesh.identified.size() != points) ||
       mesh.source_cell.size() != cells || mesh.certified.size() != cells ||
       std::ranges::any_of(extra, [points](const PointValues& array) {
@@ -49,37 +76,57 @@ void check_arrays(const FeatureMesh& mesh, std::span<const PointValues> extra) {
   }
 }
 
+namespace {
+
+void add_point_arrays(vtkPointData& points, const FeatureMesh& mesh,
+                      const std::vector<std::int64_t>& identified,
+                      std::span<const PointValues> extra) {
+  const auto add = [&](const char* name, const std::vector<double>& values) {
+    points.AddArray(detail::to_vtk_array(name, values.data(), values.size()));
+  };
+  add("mode", mesh.mode);
+  add("p", mesh.p);
+  add("q", mesh.q);
+  if (!mesh.position_error.empty()) add("PositionError", mesh.position_error);
+  if (!mesh.identified.empty())
+    points.AddArray(detail::to_vtk_array("PeriodicPoint", identified.data(), identified.size()));
+  for (const PointValues& array : extra)
+    points.AddArray(detail::to_vtk_array(array.name, array.values.data(), mesh.points.size(),
+                                         array.components));
+}
+
+}  // namespace
+
 void write_polydata(const std::filesystem::path& file, const FeatureMesh& mesh, Feature feature,
                     std::span<const PointValues> extra) {
   check_arrays(mesh, extra);
+  // Lines come before triangles in the cell arrays.
+  Polylines curve(mesh);
+  const auto triangles = static_cast<std::ptrdiff_t>(mesh.segments.size());
+  std::vector<std::int64_t>& source_cell = curve.source_cell;
+  std::vector<std::uint8_t>& certified = curve.certified;
+  source_cell.insert(source_cell.end(), mesh.source_cell.begin() + triangles,
+                     mesh.source_cell.end());
+  certified.insert(certified.end(), mesh.certified.begin() + triangles, mesh.certified.end());
+
   const auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(detail::to_vtk_points(mesh.points));
-  data->SetLines(to_vtk_cells(mesh.segments));
+  data->SetLines(curve.lines);
   data->SetPolys(to_vtk_cells(mesh.triangles));
-  const auto add_point_array = [&](const char* name, const std::vector<double>& values) {
-    data->GetPointData()->AddArray(detail::to_vtk_array(name, values.data(), values.size()));
-  };
-  add_point_array("mode", mesh.mode);
-  add_point_array("p", mesh.p);
-  add_point_array("q", mesh.q);
   std::vector<std::uint8_t> is_node(mesh.points.size(), 0);
   for (const std::uint32_t v : mesh.nodes) is_node[v] = 1;
   if (feature == Feature::DegenerateLinear || feature == Feature::DegeneratePlanar)
     data->GetPointData()->AddArray(detail::to_vtk_array("Node", is_node.data(), is_node.size()));
   const std::vector<std::int64_t> identified(mesh.identified.begin(), mesh.identified.end());
-  if (!mesh.identified.empty())
-    data->GetPointData()->AddArray(
-        detail::to_vtk_array("PeriodicPoint", identified.data(), identified.size()));
-  for (const PointValues& array : extra)
-    data->GetPointData()->AddArray(detail::to_vtk_array(array.name, array.values.data(),
-                                                        mesh.points.size(), array.components));
-  const std::vector<std::uint8_t> features(mesh.certified.size(),
-                                           static_cast<std::uint8_t>(feature));
+  add_point_arrays(*data->GetPointData(), mesh, identified, extra);
+  const std::vector<std::uint8_t> features(certified.size(), static_cast<std::uint8_t>(feature));
   vtkCellData& cells = *data->GetCellData();
-  cells.AddArray(
-      detail::to_vtk_array("SourceCellId", mesh.source_cell.data(), mesh.source_cell.size()));
+  cells.AddArray(detail::to_vtk_array("SourceCellId", source_cell.data(), source_cell.size()));
   cells.AddArray(detail::to_vtk_array("Feature", features.data(), features.size()));
-  cells.AddArray(detail::to_vtk_array("Certified", mesh.certified.data(), mesh.certified.size()));
+  cells.AddArray(detail::to_vtk_array("Certified", certified.data(), certified.size()));
+  if (!mesh.segments.empty())
+    data->GetFieldData()->AddArray(detail::to_vtk_array(
+        "SegmentSourceCellId", curve.segment_source_cell.data(), curve.segment_source_cell.size()));
   detail::write_xml(file, *vtkSmartPointer<vtkXMLPolyDataWriter>::New(), *data);
 }
 

@@ -53,6 +53,7 @@ class Refinement {
       label_vertices();
     }
     for (const SignStages& stages : stages_) complex_.sign_stages += stages;
+    complex_.asked_for = std::move(spent_);
     return std::move(complex_);
   }
 

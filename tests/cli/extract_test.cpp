@@ -3,14 +3,21 @@
 //
 // What `triplex extract` leaves in its directory.
 #include <gmock/gmock.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "../io/read_vtk.hpp"
@@ -59,10 +66,11 @@ TEST(Report, HasTheDocumentedKeys) {
   const TemporaryDirectory directory;
   const std::string field = make_field(directory, "noise", 4);
   const json report = extract(field, directory / "out", {"--max-bisections", "2"});
-  EXPECT_THAT(keys(report), UnorderedElementsAre("certified", "version", "field", "options",
-                                                 "certificates", "refinement", "sign_stages",
-                                                 "features", "nodes", "nodes_undecided",
-                                                 "unresolved", "timing_s", "peak_memory_bytes"));
+  EXPECT_THAT(
+      keys(report),
+      UnorderedElementsAre("certified", "version", "field", "options", "certificates", "refinement",
+                           "sign_stages", "features", "nodes", "nodes_undecided", "identical",
+                           "unresolved", "open_cells", "timing_s", "peak_memory_bytes"));
   EXPECT_THAT(keys(report["field"]),
               UnorderedElementsAre("file", "tets", "vertices", "array", "bounds", "split"));
   EXPECT_THAT(keys(report["certificates"]),
@@ -75,7 +83,9 @@ TEST(Report, HasTheDocumentedKeys) {
     const json& feature = report["features"][std::string(row.name)];
     if (row.feature == Feature::TripleCurve) {
       EXPECT_THAT(keys(feature),
-                  UnorderedElementsAre("vertices", "segments", "components", "closed", "length"));
+                  UnorderedElementsAre("vertices", "segments", "components", "closed", "open",
+                                       "length", "largest_error", "largest_error_in_face",
+                                       "proven_points", "unproven_points", "unresolved"));
     } else {
       EXPECT_THAT(keys(feature),
                   UnorderedElementsAre("vertices", "triangles", "components", "euler",
@@ -85,7 +95,10 @@ TEST(Report, HasTheDocumentedKeys) {
   ASSERT_FALSE(report["unresolved"].empty());  // noise, two bisections: some cell stays open
   EXPECT_FALSE(report["certified"].get<bool>());
   for (const json& cell : report["unresolved"]) {
-    EXPECT_THAT(keys(cell), UnorderedElementsAre("tet", "features", "reason"));
+    EXPECT_THAT(keys(cell), UnorderedElementsAre("tet", "features", "reason", "touches", "centre",
+                                                 "extent", "bisections", "depth", "open_cells",
+                                                 "open_share", "smallest_share", "margin"));
+    EXPECT_TRUE(cell["margin"].is_null() || (cell["margin"] >= -1 && cell["margin"] <= 0));
     EXPECT_FALSE(cell["features"].empty());
     EXPECT_FALSE(cell["reason"].get<std::string>().empty());
   }
@@ -158,7 +171,24 @@ TEST(Meshes, HaveTheArraysAndTheCountsOfTheReport) {
     const json& numbers = report["features"][std::string(row.name)];
     const bool curve = row.feature == Feature::TripleCurve;
     EXPECT_EQ(mesh->GetNumberOfPoints(), numbers["vertices"]) << row.name;
-    EXPECT_EQ(mesh->GetNumberOfCells(), numbers[curve ? "segments" : "triangles"]) << row.name;
+    if (curve) {
+      // Polylines have one point more than segments.
+      const auto segments =
+          mesh->GetLines()->GetNumberOfConnectivityIds() - mesh->GetNumberOfLines();
+      EXPECT_EQ(segments, numbers["segments"]);
+      EXPECT_EQ(mesh->GetFieldData()->GetArray("SegmentSourceCellId")->GetNumberOfTuples(),
+                segments);
+      EXPECT_LE(mesh->GetNumberOfLines(), segments / 4);
+      auto* const errors = mesh->GetPointData()->GetArray("PositionError");
+      ASSERT_NE(errors, nullptr);
+      double largest = 0;
+      for (vtkIdType v = 0; v < errors->GetNumberOfTuples(); ++v)
+        if (std::isfinite(errors->GetTuple1(v))) largest = std::max(largest, errors->GetTuple1(v));
+      EXPECT_LE(largest, numbers["largest_error"].get<double>());
+      EXPECT_GT(largest, 0);
+    } else {
+      EXPECT_EQ(mesh->GetNumberOfCells(), numbers["triangles"]) << row.name;
+    }
     EXPECT_EQ(curve ? mesh->GetNumberOfLines() : mesh->GetNumberOfPolys(),
               mesh->GetNumberOfCells());
     for (const char* name : {"mode", "p", "q"}) {
@@ -171,7 +201,7 @@ TEST(Meshes, HaveTheArraysAndTheCountsOfTheReport) {
       EXPECT_EQ(mesh->GetCellData()->GetArray("Feature")->GetTuple1(cell),
                 static_cast<double>(row.feature));
       const double source = mesh->GetCellData()->GetArray("SourceCellId")->GetTuple1(cell);
-      EXPECT_TRUE(source >= 0 && source < report["field"]["tets"].get<double>());
+      EXPECT_TRUE(source >= (curve ? -1 : 0) && source < report["field"]["tets"].get<double>());
     }
   }
   EXPECT_GT(report["features"]["triple-curve"]["segments"], 0);
@@ -206,6 +236,8 @@ TEST(Meshes, DoNotDependOnTheNumberOfThreads) {
                 file_content(mesh_file(directory / "two", row)))
         << row.name;
   }
+  EXPECT_EQ(file_content(directory / "one" / "unresolved.vtu"),
+            file_content(directory / "two" / "unresolved.vtu"));
 }
 
 TEST(Features, OnlyThoseAskedForAreReported) {
@@ -231,7 +263,76 @@ TEST(Directory, MayHoldAnOldResultAndMayBeNested) {
   extract(field, out);
   EXPECT_EQ(file_content(out / "notes.txt"), "mine");
   EXPECT_NE(file_content(out / "triple-curve.vtp"), "old");
-  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), kStandardFeatures + 4);
+  // With the notes and the open cells around the node.
+  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), kStandardFeatures + 5);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> read_grid(const fs::path& file) {
+  return read_vtk<vtkXMLUnstructuredGridReader>(file);
+}
+
+TEST(Places, OpenCellsAreWrittenAndGoWithTheNextRun) {
+  const TemporaryDirectory directory;
+  const fs::path out = directory / "out";
+  const json report = extract(make_field(directory, "noise", 4), out, {"--max-bisections", "2"});
+  const auto grid = read_grid(out / "unresolved.vtu");
+  EXPECT_EQ(grid->GetNumberOfCells(), report["open_cells"]["written"]);
+  EXPECT_EQ(report["open_cells"]["left_out"], 0);
+  std::map<std::int64_t, std::uint64_t> cells;
+  vtkCellData& arrays = *grid->GetCellData();
+  for (const char* name : {"Features", "Obstacle", "Depth", "SourceCellId"})
+    ASSERT_TRUE(arrays.HasArray(name)) << name;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c) {
+    ASSERT_EQ(grid->GetCellType(c), VTK_TETRA);
+    EXPECT_GT(arrays.GetArray("Features")->GetTuple1(c), 0);
+    EXPECT_GT(arrays.GetArray("Obstacle")->GetTuple1(c), 0);
+    ++cells[static_cast<std::int64_t>(arrays.GetArray("SourceCellId")->GetTuple1(c))];
+  }
+  EXPECT_EQ(cells.size(), report["unresolved"].size());
+  for (const json& tet : report["unresolved"]) {
+    EXPECT_EQ(tet["open_cells"], cells[tet["tet"].get<std::int64_t>()]);
+    EXPECT_GT(tet["open_share"], 0);
+    EXPECT_LE(tet["open_share"], 1);
+    EXPECT_LE(tet["smallest_share"], tet["open_share"]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_LE(tet["extent"][k][0], tet["centre"][k]);
+      EXPECT_GE(tet["extent"][k][1], tet["centre"][k]);
+    }
+  }
+  // All is certified in the next run: nothing of the first may be left beside its report.
+  ASSERT_TRUE(extract(make_field(directory, "constant", 2), out)["certified"].get<bool>());
+  EXPECT_FALSE(fs::exists(out / "unresolved.vtu"));
+}
+
+TEST(Places, PlanesOfSymmetryAreInReportTableAndFile) {
+  const TemporaryDirectory directory;
+  const fs::path out = directory / "out";
+  const Outcome outcome = run({"extract", make_field(directory, "rayleigh-benard", 4), "-o",
+                               out.string(), "--max-bisections", "2"});
+  // All walls are planes of symmetry of the flow, each of 2 * 4 * 4 triangles; of opposite ones
+  // those at zero are so to the last bit, while sin(pi) is not zero in doubles.
+  EXPECT_THAT(outcome.out,
+              testing::HasSubstr("\nblock-x throughout: 32 faces (area 1; 32 on the boundary)\n"
+                                 "block-y throughout: 32 faces (area 2; 32 on the boundary)\n"
+                                 "block-z throughout: 32 faces (area 2; 32 on the boundary)\n"));
+  const json report = report_in(out);
+  EXPECT_THAT(keys(report["identical"]),
+              ElementsAre("balanced", "block-x", "block-y", "block-z", "degenerate", "neutral",
+                          "symmetric", "triple-degenerate"));
+  EXPECT_EQ(
+      report["identical"]["block-y"]["faces"],
+      json::parse(R"({"count": 32, "area": 2.0, "on_boundary": 32, "area_on_boundary": 2.0})"));
+  EXPECT_EQ(report["identical"]["degenerate"]["faces"]["count"], 0);
+  const auto grid = read_grid(out / "identical.vtu");
+  ASSERT_EQ(grid->GetNumberOfCells(), 96);
+  std::array<int, 3> blocks{};
+  for (vtkIdType c = 0; c < 96; ++c) {
+    EXPECT_EQ(grid->GetCellType(c), VTK_TRIANGLE);
+    EXPECT_EQ(grid->GetCellData()->GetArray("OnBoundary")->GetTuple1(c), 1);
+    const int holds = static_cast<int>(grid->GetCellData()->GetArray("Holds")->GetTuple1(c));
+    for (std::size_t k = 0; k < 3; ++k) blocks[k] += holds == 16 << k;
+  }
+  EXPECT_THAT(blocks, testing::Each(32));
 }
 
 TEST(RealData, ConvectionIsExtracted) {

@@ -7,6 +7,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -15,6 +16,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 
 #include "read_vtk.hpp"
@@ -65,20 +67,45 @@ TEST(WritePolydata, RoundTripsBitForBit) {
   EXPECT_EQ(cells.GetArray("Certified")->GetTuple1(1), 0);
 }
 
-TEST(WritePolydata, WritesSegments) {
+std::vector<vtkIdType> points_of_line(vtkPolyData& data, vtkIdType line) {
+  const auto ids = vtkSmartPointer<vtkIdList>::New();
+  data.GetCellPoints(line, ids);
+  return {ids->begin(), ids->end()};
+}
+
+TEST(WritePolydata, JoinsSegmentsToPolylinesAndLoops) {
   const TemporaryDirectory directory;
-  FeatureMesh mesh = surface();
-  mesh.triangles.clear();
-  mesh.segments = {{0, 1}, {1, 3}};
+  FeatureMesh mesh;
+  mesh.points.resize(9);
+  mesh.p = mesh.q = mesh.mode = std::vector<double>(9, 0.5);
+  mesh.position_error = {1e-15, 0, 0, 0, 0, 0, 0, 0, std::numeric_limits<double>::infinity()};
+  // A loop 0 1 2; an arc 3 4 5 6, of which the last part is not certified; an arc 7 8 in one cell.
+  mesh.segments = {{5, 4}, {0, 1}, {2, 1}, {3, 4}, {0, 2}, {5, 6}, {8, 7}};
+  mesh.source_cell = {10, 11, 12, 13, 14, 15, 16};
+  mesh.certified = {1, 1, 1, 1, 1, 0, 1};
   write_polydata(directory / "a.vtp", mesh, Feature::TripleCurve);
   const auto data = test::read_vtk<vtkXMLPolyDataReader>(directory / "a.vtp");
-  ASSERT_EQ(data->GetNumberOfLines(), 2);
+  ASSERT_EQ(data->GetNumberOfLines(), 4);
   EXPECT_EQ(data->GetNumberOfPolys(), 0);
-  const auto ids = vtkSmartPointer<vtkIdList>::New();
-  data->GetCellPoints(1, ids);
-  EXPECT_EQ(ids->GetId(0), 1);
-  EXPECT_EQ(ids->GetId(1), 3);
-  EXPECT_EQ(data->GetCellData()->GetArray("Feature")->GetTuple1(1), 6);
+  EXPECT_THAT(points_of_line(*data, 0), testing::ElementsAre(3, 4, 5));
+  EXPECT_THAT(points_of_line(*data, 1), testing::ElementsAre(5, 6));
+  EXPECT_THAT(points_of_line(*data, 2), testing::ElementsAre(7, 8));
+  EXPECT_THAT(points_of_line(*data, 3), testing::ElementsAre(0, 1, 2, 0));
+  const auto cell_values = [&](const char* name) {
+    std::vector<double> values;
+    for (int c = 0; c < 4; ++c) values.push_back(data->GetCellData()->GetArray(name)->GetTuple1(c));
+    return values;
+  };
+  EXPECT_THAT(cell_values("SourceCellId"), testing::ElementsAre(-1, 15, 16, -1));
+  EXPECT_THAT(cell_values("Certified"), testing::ElementsAre(1, 0, 1, 1));
+  EXPECT_THAT(cell_values("Feature"), testing::Each(6));
+  auto* const sources = data->GetFieldData()->GetArray("SegmentSourceCellId");
+  ASSERT_NE(sources, nullptr);
+  std::vector<double> of_segments;
+  for (int n = 0; n < 7; ++n) of_segments.push_back(sources->GetTuple1(n));
+  EXPECT_THAT(of_segments, testing::ElementsAre(13, 10, 15, 16, 11, 12, 14));
+  EXPECT_TRUE(
+      same_bits(data->GetPointData()->GetArray("PositionError"), mesh.position_error.data(), 9));
 }
 
 TEST(WritePolydata, EmptyMeshesHaveAllArrays) {

@@ -8,21 +8,11 @@
 #include <vector>
 
 #include "triplex/arithmetic/exact.hpp"
+#include "triplex/certify/enclosure.hpp"
 #include "triplex/feature/feature.hpp"
 #include "triplex/field/refinable_field.hpp"
 
 namespace triplex {
-
-/// A closed interval.
-struct Range {
-  double lo = 0, hi = 0;
-
-  bool contains(double x) const { return lo <= x && x <= hi; }
-  bool contains(const Range& r) const { return lo <= r.lo && r.hi <= hi; }
-  bool meets(const Range& r) const { return lo <= r.hi && r.lo <= hi; }
-  double middle() const { return lo + (hi - lo) / 2; }
-  friend bool operator==(const Range&, const Range&) = default;
-};
 
 /// Coordinates of a tet's linear field and an eigenvalue: the barycentric coordinates of the
 /// vertices 1, 2, 3 and l of the tripled deviator, scaled as `RefinableField::approximate`.

@@ -12,6 +12,10 @@ namespace triplex {
 /// boundary says whether there is one. Proof: proofs/spine.md.
 bool certifies_injective(const Simplex<3>& face, SignStages& stages);
 
+/// The same for given forms, up to positive factors; nothing is perturbed.
+/// \pre inside an `IntervalRounding`.
+bool certifies_injective(const Forms<Interval, 3>& forms);
+
 /// The triple degenerate curve runs monotonically through a tet: d . (grad p x grad q) > 0 for some
 /// d. So it has no closed loops there, and with at most two points on the boundary it is at most
 /// one arc. Proof: proofs/spine.md.

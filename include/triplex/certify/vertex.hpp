@@ -22,4 +22,11 @@ std::optional<Sector> sector_at(const RefinableField& field, VertexId v, const F
 /// all tets around it.
 Sector sector_approx(const RefinableField& field, VertexId v, const FeatureTable& table);
 
+/// Which invariants are exactly zero at a vertex, for T itself, not perturbed.
+struct VanishingInvariants {
+  bool p = true, q = true, discriminant = true;
+};
+/// Guarantee: exact. A filter, then exact arithmetic.
+VanishingInvariants vanishing_at(const RefinableField& field, VertexId v);
+
 }  // namespace triplex

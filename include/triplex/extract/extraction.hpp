@@ -12,7 +12,9 @@
 
 #include "triplex/arithmetic/sign.hpp"
 #include "triplex/extract/domain_mesh.hpp"
+#include "triplex/extract/identical.hpp"
 #include "triplex/extract/nodes.hpp"
+#include "triplex/extract/unresolved.hpp"
 #include "triplex/feature/feature_table.hpp"
 #include "triplex/field/periodic.hpp"
 #include "triplex/field/tensor_field.hpp"
@@ -31,6 +33,9 @@ struct FeatureMesh {
   std::vector<double> q;  ///< determinant of the deviator, in cubed tensor units
   std::vector<double>
       mode;  ///< mu = 3 sqrt(3) |q| / (2 |p|^(3/2)): 0 neutral, 1 degenerate, inf balanced
+  /// On the triple curve: a proven bound on the distance to the true point, in units of length;
+  /// infinite where nothing is proven. Empty on surfaces.
+  std::vector<double> position_error;
   /// T itself, interpolated in doubles: what further quantities are computed from. Empty unless
   /// `ExtractionOptions::keep_tensors`.
   std::vector<Tensor<double>> tensors;
@@ -44,17 +49,18 @@ struct FeatureMesh {
   std::vector<std::uint8_t> certified;    ///< 1 where the topology is proven
 };
 
-/// Why a tet of the input could not be certified within its budget.
-struct UnresolvedTet {
-  std::int64_t source_cell;  ///< cell id in the input file
-  FeatureSet features;       ///< the features concerned
-  std::string reason;        ///< which certificate failed, on which kind of simplex, and the budget
-};
-
 /// What was proven, by kind: (leaf tet, page) pairs for exclusion, graph and unresolved; leaf tets
 /// for spine, and for radial those around nodes.
 struct CertificateCounts {
   std::uint64_t exclusion = 0, graph = 0, spine = 0, radial = 0, unresolved = 0;
+};
+
+/// The points of the triple degenerate curve on faces, and how far the proven ones may be from the
+/// true ones. Faces with an unproven point are not certified. Source: proofs/spine_point.md.
+struct SpineAccuracy {
+  std::uint64_t proven = 0, unproven = 0;
+  double error = 0;             ///< the largest, in units of length
+  double coordinate_error = 0;  ///< the largest, in barycentric coordinates of the face
 };
 
 struct RefinementStatistics {
@@ -107,9 +113,12 @@ struct Extraction {
   RefinementStatistics refinement;
   SignStages sign_stages;
   std::vector<UnresolvedTet> unresolved;  ///< sorted by source cell
+  OpenCells open_cells;                   ///< where `unresolved` is
+  IdenticalSimplices identical;  ///< where invariants vanish identically: there is no surface there
   /// Largest certified distance of a vertex on a certified edge from the true zero on that edge, as
   /// a fraction of the edge.
   double largest_crossing_error = 0;
+  SpineAccuracy spine_accuracy;
   ExtractionTiming timing;
   bool certified() const { return unresolved.empty(); }
 };

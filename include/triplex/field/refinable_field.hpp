@@ -51,6 +51,7 @@ class RefinableField {
   Tensor<Exact> exact_tensor(VertexId v) const;
   /// The position, rounded once per coordinate combination (exact for vertices of the input).
   Point position(VertexId v) const;
+  std::array<Exact, 3> exact_position(VertexId v) const;
   /// log2 of the factor that `approximate` was multiplied by.
   int scale_exponent() const { return scale_exponent_; }
 
@@ -91,6 +92,9 @@ class RefinableField {
   Combination combination(VertexId v) const;
   ApproximateTensor combine_enclosed(const Enclosed& e, bool with_trace) const;
   ApproximateTensor combine_tensor(VertexId v) const;
+  template <std::size_t N>
+  std::array<Exact, N> exact_combination(VertexId v,
+                                         const std::vector<std::array<double, N>>& of_input) const;
 
   const TensorField* field_;
   std::vector<std::uint32_t> input_of_;  // vertex here -> point of the file

@@ -24,6 +24,7 @@ struct Leaf {
   FeatureSet open = 0;               ///< features not certified
   bool has_spine_proof = false;
   Obstacle obstacle = Obstacle::None;  ///< why `open` is not empty
+  std::uint8_t depth = 0;              ///< bisections between the input's tet and this one
 };
 
 /// What stopped the refinement of a tet that is still open.
@@ -58,8 +59,9 @@ struct RefinedComplex {
   std::vector<std::uint8_t> sectors;  ///< per vertex: a `Sector`, or kOpenSector
   std::vector<LevelSides> sides;      ///< per vertex; empty if no level set is requested
   std::vector<Leaf> leaves;
-  PeriodicCopies copies;  ///< on opposite sides
+  PeriodicCopies copies;                 ///< on opposite sides
   std::vector<NodeVertex> nodes;
+  std::vector<std::uint32_t> asked_for;  ///< per tet of the input: bisections that it asked for
   std::uint64_t rounds = 0, bisections = 0;
   bool hit_size_limit = false;
   SignStages sign_stages;

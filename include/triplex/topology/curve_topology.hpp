@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "triplex/bernstein/tensor_array.hpp"
 
@@ -26,6 +27,22 @@ struct CurveTopology {
 /// count. Errors: an index out of range or twice in one segment -> std::invalid_argument.
 CurveTopology curve_topology(std::span<const std::array<std::uint32_t, 2>> segments,
                              std::size_t points);
+
+/// Segments one after another: a polyline, or a loop.
+struct CurveChain {
+  std::vector<std::uint32_t> points;    ///< one more than segments; of a loop the last is the first
+  std::vector<std::uint32_t> segments;  ///< numbers of the segments, in order
+
+  bool is_loop() const { return points.front() == points.back(); }
+};
+
+/// The segments joined to chains, each segment in one. Chains end where not exactly two segments
+/// meet and where the labels of the two differ (`labels`: one per segment, or none). Open chains
+/// come first and begin at the lower end; loops begin at their lowest point. The order depends on
+/// the arguments alone. Errors: as `curve_topology`; labels that are not one per segment ->
+/// std::invalid_argument.
+std::vector<CurveChain> curve_chains(std::span<const std::array<std::uint32_t, 2>> segments,
+                                     std::size_t points, std::span<const std::uint8_t> labels = {});
 
 /// The sum of the lengths of the segments, in units of the points. Rounded, with compensated
 /// summation in the order given; not certified.

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unresolved.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <span>
+#include <string_view>
+
+#include "triplex/certify/graph_margin.hpp"
+
+namespace triplex {
+namespace {
+
+/// The tets that hold a node, ascending.
+std::vector<TetId> tets_with_nodes(const std::vector<Node>& nodes) {
+  std::vector<TetId> tets;
+  for (const Node& node : nodes)
+    if (node.status != NodeStatus::Shared) tets.push_back(node.tet);
+  std::ranges::sort(tets);
+  return tets;
+}
+
+std::int64_t source_cell(const TensorField& input, TetId tet) {
+  return input.source_cells.empty() ? static_cast<std::int64_t>(index(tet))
+                                    : input.source_cells[index(tet)];
+}
+
+/// The numbers of the open leaves, by tet of the input.
+std::vector<std::uint32_t> open_leaves(const RefinedComplex& complex) {
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t n = 0; n < complex.leaves.size(); ++n)
+    if (complex.leaves[n].open != 0) open.push_back(n);
+  std::ranges::stable_sort(open, {}, [&](std::uint32_t n) { return complex.leaves[n].input; });
+  return open;
+}
+
+/// Every bisection halves the volume.
+double share_of(const Leaf& leaf) { return std::ldexp(1.0, -static_cast<int>(leaf.depth)); }
+
+/// Place and size of the open leaves of one tet.
+void add_place(const RefinedComplex& complex, std::span<const std::uint32_t> leaves,
+               UnresolvedTet& tet) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  tet.extent.fill({kInfinity, -kInfinity});
+  tet.open_cells = leaves.size();
+  for (const std::uint32_t n : leaves) {
+    const Leaf& leaf = complex.leaves[n];
+    tet.depth = std::max<std::uint32_t>(tet.depth, leaf.depth);
+    tet.open_share += share_of(leaf);
+  }
+  tet.smallest_share = std::ldexp(1.0, -static_cast<int>(tet.depth));
+  for (const std::uint32_t n : leaves) {
+    const double weight = share_of(complex.leaves[n]) / tet.open_share / 4;
+    for (const VertexId v : complex.leaves[n].vertices) {
+      const Point x = complex.field.position(v);
+      for (std::size_t k = 0; k < 3; ++k) {
+        tet.centre[k] += weight * x[k];
+        tet.extent[k] = {std::min(tet.extent[k].lo, x[k]), std::max(tet.extent[k].hi, x[k])};
+      }
+    }
+  }
+}
+
+/// The margin of the largest open leaf; the first of several.
+std::optional<double> margin_of(const RefinedComplex& complex,
+                                std::span<const std::uint32_t> leaves, const FeatureTable& table) {
+  const std::uint32_t n = *std::ranges::min_element(
+      leaves, {}, [&](std::uint32_t k) { return complex.leaves[k].depth; });
+  const Leaf& leaf = complex.leaves[n];
+  return graph_margin_approx(complex.field, leaf.vertices, leaf.obstacle, leaf.open, table);
+}
+
+std::string reason_of(const UnresolvedTet& tet, Obstacle obstacle, bool has_node,
+                      bool hit_size_limit, std::uint32_t most_bisections) {
+  std::string reason = has_node ? "contains a node; " : "";
+  reason += describe(obstacle);
+  reason += hit_size_limit ? "; the refined mesh reached its size limit"
+                           : fmt::format("; budget of {} bisections spent", most_bisections);
+  for (int i = 0; i < kIdentities; ++i) {
+    const auto identity = static_cast<Identity>(i);
+    if (tet.touches & bit(identity))
+      fmt::format_to(std::back_inserter(reason), "; touches a simplex that is {} throughout",
+                     name_of(identity));
+  }
+  return reason;
+}
+
+}  // namespace
+
+std::vector<UnresolvedTet> unresolved_tets(const TensorField& input, const RefinedComplex& complex,
+                                           const std::vector<Node>& nodes,
+                                           const IdenticalSimplices& identical,
+                                           const ExtractionOptions& options) {
+  const std::vector<TetId> with_nodes = tets_with_nodes(nodes);
+  const std::vector<std::uint32_t> open = open_leaves(complex);
+  std::vector<UnresolvedTet> result;
+  for (std::size_t begin = 0; begin < open.size();) {
+    const TetId id = complex.leaves[open[begin]].input;
+    UnresolvedTet tet;
+    tet.tet = id;
+    tet.source_cell = source_cell(input, id);
+    Obstacle gravest = complex.leaves[open[begin]].obstacle;
+    std::size_t end = begin;
+    for (; end < open.size() && complex.leaves[open[end]].input == id; ++end) {
+      tet.features |= complex.leaves[open[end]].open;
+      gravest = std::min(gravest, complex.leaves[open[end]].obstacle);
+    }
+    const auto leaves = std::span(open).subspan(begin, end - begin);
+    add_place(complex, leaves, tet);
+    tet.margin = margin_of(complex, leaves, options.table);
+    tet.bisections = complex.asked_for[index(id)];
+    for (const VertexId v : input.mesh.tets[index(id)])
+      tet.touches |= identical.at_points[index(v)];
+    tet.reason = reason_of(tet, gravest, std::ranges::binary_search(with_nodes, id),
+                           complex.hit_size_limit, options.max_bisections);
+    result.push_back(std::move(tet));
+    begin = end;
+  }
+  std::ranges::stable_sort(result, {}, &UnresolvedTet::source_cell);
+  return result;
+}
+
+OpenCells open_cells(const TensorField& input, const RefinedComplex& complex, std::size_t most) {
+  OpenCells cells;
+  std::vector<std::uint32_t> open = open_leaves(complex);
+  if (open.size() > most) {
+    cells.left_out = open.size() - most;
+    std::ranges::stable_sort(open, {}, [&](std::uint32_t n) { return complex.leaves[n].depth; });
+    open.resize(most);
+    std::ranges::stable_sort(open, {}, [&](std::uint32_t n) { return complex.leaves[n].input; });
+  }
+  constexpr std::uint32_t kUnused = 0xffffffff;
+  std::vector<std::uint32_t> number(complex.field.vertex_count(), kUnused);
+  for (const std::uint32_t n : open) {
+    const Leaf& leaf = complex.leaves[n];
+    std::array<std::uint32_t, 4> tet;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const VertexId v = leaf.vertices[i];
+      if (number[index(v)] == kUnused) {
+        number[index(v)] = static_cast<std::uint32_t>(cells.points.size());
+        cells.points.push_back(complex.field.position(v));
+      }
+      tet[i] = number[index(v)];
+    }
+    if (leaf.flipped) std::swap(tet[2], tet[3]);
+    cells.tets.push_back(tet);
+    cells.features.push_back(leaf.open);
+    cells.obstacle.push_back(leaf.obstacle);
+    cells.source_cell.push_back(source_cell(input, leaf.input));
+    cells.depth.push_back(leaf.depth);
+  }
+  return cells;
+}
+
+}  // namespace triplex
