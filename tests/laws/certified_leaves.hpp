@@ -50,9 +50,9 @@ inline void audit_vertices(const RefinedComplex& complex, LeafAudit& audit) {
 }
 
 /// Every leaf: the sectors at the points of a lattice are among those that its claims allow.
-inline void audit_sectors(const RefinedComplex& complex, LeafAudit& audit) {
+inline void audit_sectors(const RefinedComplex& complex, FeatureSet requested, LeafAudit& audit) {
   for (const Leaf& leaf : complex.leaves) {
-    const LeafClaims claims(complex, leaf);
+    const LeafClaims claims(complex, leaf, requested);
     audit.contradictions += claims.contradiction;
     if (claims.sectors == kAllSectors) continue;
     ++audit.leaves;
@@ -76,12 +76,12 @@ struct EdgeClaim {
 };
 
 /// All of them, each edge once.
-inline std::vector<EdgeClaim> edge_claims(const RefinedComplex& complex) {
+inline std::vector<EdgeClaim> edge_claims(const RefinedComplex& complex, FeatureSet requested) {
   std::vector<EdgeClaim> all;
   for (const Leaf& leaf : complex.leaves) {
-    const FeatureSet certified = kPages & ~leaf.open;
+    const FeatureSet certified = requested & kPages & ~leaf.open;
     if (certified == 0) continue;
-    const LeafClaims claims(complex, leaf);
+    const LeafClaims claims(complex, leaf, requested);
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = i + 1; j < 4; ++j) {
         const auto& rotation = claims.rotation[i][j];
@@ -107,8 +107,8 @@ inline std::vector<EdgeClaim> edge_claims(const RefinedComplex& complex) {
 }
 
 /// Every edge: a certified page crosses it as often as its rotation says, once or not at all.
-inline void audit_edges(const RefinedComplex& complex, LeafAudit& audit) {
-  for (const EdgeClaim& claim : edge_claims(complex)) {
+inline void audit_edges(const RefinedComplex& complex, FeatureSet requested, LeafAudit& audit) {
+  for (const EdgeClaim& claim : edge_claims(complex, requested)) {
     EdgeOracle oracle(complex.field, claim.ends[0], claim.ends[1]);
     ++audit.edges;
     for (int f = 0; f < kStandardPages; ++f) {
@@ -123,11 +123,12 @@ inline void audit_edges(const RefinedComplex& complex, LeafAudit& audit) {
   }
 }
 
-inline LeafAudit audit_leaves(const RefinedComplex& complex) {
+/// All of it, for a complex refined for these of the standard features.
+inline LeafAudit audit_leaves(const RefinedComplex& complex, FeatureSet requested = kStandardSet) {
   LeafAudit audit;
   audit_vertices(complex, audit);
-  audit_sectors(complex, audit);
-  audit_edges(complex, audit);
+  audit_sectors(complex, requested, audit);
+  audit_edges(complex, requested, audit);
   return audit;
 }
 

@@ -11,8 +11,10 @@
 namespace triplex {
 namespace {
 
-RefinedComplex refined(const TensorField& field, std::uint32_t budget) {
+RefinedComplex refined(const TensorField& field, std::uint32_t budget,
+                       FeatureSet features = kStandardSet) {
   RefineOptions options;
+  options.features = features;
   options.max_bisections = budget;
   return refine(field, options);
 }
@@ -44,6 +46,29 @@ INSTANTIATE_TEST_SUITE_P(
                     NamedField{"lorenz", 7, 0.2}, NamedField{"rayleigh-benard", 4, 0},
                     NamedField{"rayleigh-benard", 5, 0.2}, NamedField{"noise", 3, 0},
                     NamedField{"random-linear", 4, 0.2}, NamedField{"symmetric", 3, 0}));
+
+/// Fewer features need fewer certificates, and what is left must carry the claims alone.
+TEST(CertifiedSubsets, AgreeWithExactSigns) {
+  std::vector<FeatureSet> subsets;
+  for (int f = 0; f < kStandardFeatures; ++f) {
+    const FeatureSet one = bit(static_cast<Feature>(f));
+    subsets.push_back(one);
+    for (int g = f + 1; g < kStandardFeatures; ++g)
+      subsets.push_back(one | bit(static_cast<Feature>(g)));
+  }
+  GridOptions grid;
+  std::size_t claims = 0;
+  for (const FeatureSet subset : subsets)
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      grid.seed = seed;
+      grid.n = seed % 2 == 0 ? 2 : 1;
+      const TensorField field = seed < 4 ? generate_noise(grid) : generate_random_linear(grid);
+      const test::LeafAudit audit = test::audit_leaves(refined(field, 24, subset), subset);
+      EXPECT_EQ(audit.wrong(), 0u) << "subset " << subset << ", seed " << seed << ": " << audit;
+      claims += audit.claims;
+    }
+  EXPECT_GT(claims, 100'000u);
+}
 
 /// The audit can fail: claims that nobody proved are refuted.
 TEST(LeafAudit, RefutesWrongClaims) {

@@ -43,15 +43,16 @@ struct LeafClaims {
   bool contradiction = false;      ///< two claims exclude each other
   unsigned sectors = kAllSectors;  ///< that may occur
 
-  LeafClaims(const RefinedComplex& complex, const Leaf& leaf) {
+  LeafClaims(const RefinedComplex& complex, const Leaf& leaf, FeatureSet requested)
+      : excluded_(requested & ~(leaf.graph | leaf.open)) {
     if (find_rotations(complex, leaf)) {
       const bool winds = find_absent(complex, leaf);
       contradiction |= winds && curve_absent;
       // Around the curve all sectors, hence all pages, meet.
       if (winds && contains(leaf.graph, Feature::TripleCurve)) contradiction |= absent != 0;
     } else {
-      absent = kPages & ~(leaf.graph | leaf.open);
-      curve_absent = !contains(leaf.graph | leaf.open, Feature::TripleCurve);
+      absent = kPages & excluded_;
+      curve_absent = contains(excluded_, Feature::TripleCurve);
     }
     if (!curve_absent || std::popcount(absent) < 2) return;
     for (const VertexId v : leaf.vertices) {
@@ -90,13 +91,14 @@ struct LeafClaims {
     bool winds = false;
     for (const auto& [a, b, c] : kFaces)
       winds |= *rotation[a][b] + *rotation[b][c] - *rotation[a][c] != 0;
-    const FeatureSet excluded = kStandardSet & ~(leaf.graph | leaf.open);
-    contradiction |= (excluded & crossed) != 0;
-    absent = kPages & (excluded | (leaf.graph & ~crossed));
-    curve_absent = contains(excluded, Feature::TripleCurve) ||
+    contradiction |= (excluded_ & crossed) != 0;
+    absent = kPages & (excluded_ | (leaf.graph & ~crossed));
+    curve_absent = contains(excluded_, Feature::TripleCurve) ||
                    (contains(leaf.graph, Feature::TripleCurve) && !winds);
     return winds;
   }
+
+  FeatureSet excluded_;
 };
 
 }  // namespace triplex::test
