@@ -25,6 +25,7 @@ struct LeafAudit {
   std::size_t claims = 0;           ///< pairs of an edge and a page
   std::size_t isolations = 0;       ///< of roots
   std::size_t ties = 0;             ///< pairs that only the perturbation decides
+  std::size_t open_crossings = 0;   ///< pairs that not even that decides
   std::size_t wrong_crossings = 0;  ///< pairs with another number of crossings than claimed
 
   std::size_t wrong() const {
@@ -35,7 +36,8 @@ struct LeafAudit {
                << " points (" << a.exact_points << " exact, " << a.open_points << " open, "
                << a.wrong_points << " wrong; " << a.wrong_vertices << " wrong vertices), "
                << a.edges << " edges with " << a.claims << " claims (" << a.isolations
-               << " isolations, " << a.ties << " ties, " << a.wrong_crossings << " wrong)";
+               << " isolations, " << a.ties << " ties, " << a.open_crossings << " open, "
+               << a.wrong_crossings << " wrong)";
   }
 };
 
@@ -116,10 +118,11 @@ inline void audit_edges(const RefinedComplex& complex, FeatureSet requested, Lea
       if (!contains(claim.pages, page)) continue;
       ++audit.claims;
       const auto crossings = oracle.crossings(page);
-      audit.ties += !crossings;
+      audit.open_crossings += !crossings;
       audit.wrong_crossings += crossings && *crossings != int{contains(claim.crossed, page)};
     }
     audit.isolations += oracle.isolations();
+    audit.ties += oracle.ties();
   }
 }
 

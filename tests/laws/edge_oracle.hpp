@@ -9,6 +9,7 @@
 #include <span>
 
 #include "triplex/arithmetic/filter.hpp"
+#include "triplex/arithmetic/infinitesimal.hpp"
 #include "triplex/arithmetic/root_isolation.hpp"
 #include "triplex/bernstein/discriminant.hpp"
 #include "triplex/bernstein/forms.hpp"
@@ -16,8 +17,9 @@
 
 namespace triplex::test {
 
-/// How often each page crosses an edge of the unperturbed field, by isolation of all roots of p, q
-/// and D on it.
+/// How often each page crosses an edge, by isolation of all roots of p, q and D on it; where a root
+/// is multiple, at an end of the edge or on the triple degenerate curve, by isolation for
+/// T + 2^-kBits B.
 class EdgeOracle {
  public:
   EdgeOracle(const RefinableField& field, VertexId a, VertexId b) : field_(field), ends_{a, b} {
@@ -43,8 +45,7 @@ class EdgeOracle {
     d_ = Signs(d, error);
   }
 
-  /// The number of crossings of a page. Nothing where a root is multiple, at an end of the edge or
-  /// on the triple degenerate curve: there the perturbed field may have another number.
+  /// The number of crossings of a page. Nothing if T + 2^-kBits B has ties of its own.
   std::optional<int> crossings(Feature page) {
     const FeatureRow& row = standard_features().row(page);
     switch (page) {
@@ -65,6 +66,11 @@ class EdgeOracle {
     }
   }
   std::size_t isolations() const { return isolations_; }
+  std::size_t ties() const { return ties_; }
+
+  /// Far beyond the bits of the coefficients, which are at most sixteenth powers of dyadic numbers
+  /// of some fifty bits.
+  static constexpr int kBits = 1000;
 
  private:
   /// What doubles know of the signs of Bernstein coefficients.
@@ -94,10 +100,18 @@ class EdgeOracle {
     if (f.uniform() || (g.uniform() && g.first != wanted)) return 0;
     if (f.known && f.changes == 1 && g.uniform()) return 1;  // Descartes' rule
     ++isolations_;
-    const auto coefficients = f_of(exact());
+    const auto n = count_exactly(exact(), wanted, f_of, g_of);
+    if (n) return n;
+    ++ties_;
+    return count_exactly(perturbed(), wanted, f_of, g_of);
+  }
+  template <class F, class G>
+  static std::optional<int> count_exactly(const ExactForms& forms, Sign wanted, const F& f_of,
+                                          const G& g_of) {
+    const auto coefficients = f_of(forms);
     RootIsolation roots{std::span<const Exact>(coefficients)};
     if (roots.identically_zero()) return std::nullopt;
-    const auto other = g_of(exact());
+    const auto other = g_of(forms);
     const RootIsolation sides{std::span<const Exact>(other)};
     if (sides.identically_zero()) return std::nullopt;
     int n = 0;
@@ -112,21 +126,34 @@ class EdgeOracle {
   static bool at_end(const RootInterval& root) {
     return root.is_point() && (root.lo == 0 || root.lo == mpz_class(1) << root.exponent);
   }
-  const ExactForms& exact() {
-    if (exact_) return *exact_;
-    const auto forms = forms_of<Exact, 2>({field_.exact(ends_[0]), field_.exact(ends_[1])});
-    exact_.emplace(ExactForms{forms.p, forms.q, minus_discriminant(forms)});
+  static ExactForms forms_at(const std::array<Tensor<Exact>, 2>& ends) {
+    const auto forms = forms_of<Exact, 2>(ends);
+    ExactForms f{forms.p, forms.q, minus_discriminant(forms)};
     // Bernstein coefficients times 60, the least common multiple of 1, 6, 15 and 20.
-    for (std::size_t n = 0; n < exact_->d.size(); ++n)
-      exact_->d[n] = exact_->d[n] * Exact(60 / kMonomials<2, 6>.multinomial[n]);
+    for (std::size_t n = 0; n < f.d.size(); ++n)
+      f.d[n] = f.d[n] * Exact(60 / kMonomials<2, 6>.multinomial[n]);
+    return f;
+  }
+  const ExactForms& exact() {
+    if (!exact_) exact_ = forms_at({field_.exact(ends_[0]), field_.exact(ends_[1])});
     return *exact_;
+  }
+  const ExactForms& perturbed() {
+    if (perturbed_) return *perturbed_;
+    Tensor<Exact> shift;
+    for (std::size_t k = 0; k < 9; ++k) shift[k] = Exact(std::ldexp(kPerturbation[k], -kBits));
+    shift = triple_deviator(shift);
+    std::array<Tensor<Exact>, 2> ends = {field_.exact(ends_[0]), field_.exact(ends_[1])};
+    for (auto& t : ends)
+      for (std::size_t k = 0; k < 9; ++k) t[k] = t[k] + shift[k];
+    return perturbed_.emplace(forms_at(ends));
   }
 
   const RefinableField& field_;
   std::array<VertexId, 2> ends_;
   Signs p_, q_, d_;
-  std::optional<ExactForms> exact_;
-  std::size_t isolations_ = 0;
+  std::optional<ExactForms> exact_, perturbed_;
+  std::size_t isolations_ = 0, ties_ = 0;
 };
 
 }  // namespace triplex::test
