@@ -164,17 +164,26 @@ std::vector<Family> families_of(const SurveyOptions& options) {
   return families;
 }
 
-void run(const SurveyOptions& options) {
+/// False if a field could not be made.
+bool run(const SurveyOptions& options) {
   std::vector<std::pair<std::string, Summary>> rows;
+  bool all = true;
   print_head();
   for (const Family& family : families_of(options)) {
     Summary summary;
-    for (std::uint64_t seed = 1; seed <= family.fields; ++seed)
-      summary.add(family.make(seed), options.extraction);
+    try {
+      for (std::uint64_t seed = 1; seed <= family.fields; ++seed)
+        summary.add(family.make(seed), options.extraction);
+    } catch (const BadInput& e) {
+      fmt::print(stderr, "{}: {}\n", family.name, e.what());
+      all = false;
+      continue;
+    }
     print(family.name, summary);
     rows.emplace_back(family.name, std::move(summary));
   }
   print_reasons(rows);
+  return all;
 }
 
 }  // namespace
@@ -202,8 +211,7 @@ int main(int argc, char** argv) {
   try {
     CLI11_PARSE(app, argc, argv);
     if (options.parts.empty() && options.files.empty()) options.parts = triplex::kParts;
-    triplex::run(options);
-    return 0;
+    return triplex::run(options) ? 0 : 1;
   } catch (const std::exception& e) {
     fmt::print(stderr, "unresolved_survey: {}\n", e.what());
     return 1;

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <algorithm>
+#include <compare>
 #include <ostream>
 #include <vector>
 
 #include "edge_oracle.hpp"
+#include "face_oracle.hpp"
 #include "lattice_oracle.hpp"
 #include "leaf_claims.hpp"
 
@@ -28,16 +30,25 @@ struct LeafAudit {
   std::size_t open_crossings = 0;   ///< pairs that not even that decides
   std::size_t wrong_crossings = 0;  ///< pairs with another number of crossings than claimed
 
+  std::size_t faces = 0;         ///< with a claim about the curve
+  std::size_t with_spine = 0;    ///< of these, met by the curve
+  std::size_t eliminations = 0;  ///< of these, not settled by signs of p or q
+  std::size_t open_faces = 0;    ///< left open by the perturbation
+  std::size_t wrong_faces = 0;   ///< met by the curve in another number of points than claimed
+
   std::size_t wrong() const {
-    return contradictions + wrong_points + wrong_vertices + wrong_crossings;
+    return contradictions + wrong_points + wrong_vertices + wrong_crossings + wrong_faces;
   }
+  std::size_t open() const { return open_points + open_crossings + open_faces; }
   friend std::ostream& operator<<(std::ostream& out, const LeafAudit& a) {
     return out << a.leaves << " leaves (" << a.contradictions << " contradictions), " << a.points
                << " points (" << a.exact_points << " exact, " << a.open_points << " open, "
                << a.wrong_points << " wrong; " << a.wrong_vertices << " wrong vertices), "
                << a.edges << " edges with " << a.claims << " claims (" << a.isolations
                << " isolations, " << a.ties << " ties, " << a.open_crossings << " open, "
-               << a.wrong_crossings << " wrong)";
+               << a.wrong_crossings << " wrong), " << a.faces << " faces, " << a.with_spine
+               << " with the curve (" << a.eliminations << " eliminations, " << a.open_faces
+               << " open, " << a.wrong_faces << " wrong)";
   }
 };
 
@@ -126,12 +137,55 @@ inline void audit_edges(const RefinedComplex& complex, FeatureSet requested, Lea
   }
 }
 
+/// A face of the complex where some leaf claims to know the curve.
+struct FaceClaim {
+  std::array<VertexId, 3> vertices;
+  bool met;  ///< by the curve, once
+
+  friend auto operator<=>(const FaceClaim&, const FaceClaim&) = default;
+};
+
+/// All of them, each face once for each claim.
+inline std::vector<FaceClaim> face_claims(const RefinedComplex& complex, FeatureSet requested) {
+  std::vector<FaceClaim> all;
+  for (const Leaf& leaf : complex.leaves) {
+    const LeafClaims claims(complex, leaf, requested);
+    const bool certified = contains(requested & leaf.graph, Feature::TripleCurve);
+    if (!certified && !claims.curve_absent) continue;
+    for (const auto& [a, b, c] : kFaces) {
+      const auto &ab = claims.rotation[a][b], &bc = claims.rotation[b][c],
+                 &ac = claims.rotation[a][c];
+      const bool winds = ab && bc && ac && *ab + *bc - *ac != 0;
+      all.push_back(
+          {{leaf.vertices[a], leaf.vertices[b], leaf.vertices[c]}, winds && !claims.curve_absent});
+    }
+  }
+  std::ranges::sort(all);
+  const auto repeated = std::ranges::unique(all);
+  all.erase(repeated.begin(), repeated.end());
+  return all;
+}
+
+/// Every face: the curve meets it as often as its winding says, once or not at all.
+inline void audit_faces(const RefinedComplex& complex, FeatureSet requested, LeafAudit& audit) {
+  for (const FaceClaim& claim : face_claims(complex, requested)) {
+    FaceOracle oracle(complex.field, claim.vertices);
+    const auto points = oracle.spine_points();
+    ++audit.faces;
+    audit.with_spine += claim.met;
+    audit.eliminations += oracle.eliminations();
+    audit.open_faces += !points;
+    audit.wrong_faces += points && *points != int{claim.met};
+  }
+}
+
 /// All of it, for a complex refined for these of the standard features.
 inline LeafAudit audit_leaves(const RefinedComplex& complex, FeatureSet requested = kStandardSet) {
   LeafAudit audit;
   audit_vertices(complex, audit);
   audit_sectors(complex, requested, audit);
   audit_edges(complex, requested, audit);
+  audit_faces(complex, requested, audit);
   return audit;
 }
 

@@ -28,6 +28,8 @@ TEST_P(CertifiedLeavesOfFiles, AgreeWithExactSigns) {
   EXPECT_EQ(audit.wrong(), 0u) << audit;
   EXPECT_GT(audit.leaves, complex.leaves.size() / 4) << audit;
   EXPECT_GT(audit.claims, audit.edges) << audit;
+  EXPECT_GT(audit.eliminations, 50u) << audit;
+  EXPECT_EQ(audit.open(), 0u) << audit;
 }
 
 INSTANTIATE_TEST_SUITE_P(Data, CertifiedLeavesOfFiles,
