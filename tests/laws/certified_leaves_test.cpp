@@ -84,6 +84,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(DegenerateFamily{"degenerate vertices", test::degenerate_vertices},
                     DegenerateFamily{"few distinct", test::few_distinct},
                     DegenerateFamily{"face in a feature", test::face_in_feature},
+                    DegenerateFamily{"nearly in a feature", test::nearly_in_feature},
+                    DegenerateFamily{"wide range", test::wide_range},
                     DegenerateFamily{"small linear", test::small_linear},
                     DegenerateFamily{"mirrored", test::mirrored},
                     DegenerateFamily{"degenerate centre", test::degenerate_centre},

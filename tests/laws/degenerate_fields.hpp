@@ -131,4 +131,29 @@ inline TensorField face_in_feature(Random& random, int, CellSplit) {
   return field;
 }
 
+/// The same but for a random tensor of size 2^-20 to 2^-50 at every vertex: next to ties, beyond
+/// the reach of doubles.
+inline TensorField nearly_in_feature(Random& random, int n, CellSplit split) {
+  TensorField field =
+      random() % 2 == 0 ? face_in_feature(random, n, split) : degenerate_vertices(random, 1, split);
+  const int bits = 20 + static_cast<int>(random() % 31);
+  return mapped(std::move(field), [&](Tensor<double> t) {
+    const Tensor<double> shift = oracle::scaled(oracle::integer_tensor(random, 3), -bits);
+    for (std::size_t k = 0; k < 9; ++k) t[k] += shift[k];
+    return t;
+  });
+}
+
+/// Tensors whose sizes differ by up to 2^60 from vertex to vertex, or all of a size near the ends
+/// of the range of doubles.
+inline TensorField wide_range(Random& random, int n, CellSplit split) {
+  TensorField field =
+      random() % 2 == 0 ? face_in_feature(random, n, split) : few_distinct(random, 1, split);
+  const bool alike = random() % 2 == 0;
+  const int common = std::array{-1040, -900, -160, 0, 300, 900}[random() % 6];
+  return mapped(std::move(field), [&](const Tensor<double>& t) {
+    return oracle::scaled(t, alike ? common : static_cast<int>(random() % 61) - 30);
+  });
+}
+
 }  // namespace triplex::test

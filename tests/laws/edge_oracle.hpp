@@ -8,8 +8,8 @@
 #include <optional>
 #include <span>
 
+#include "tiny_shift.hpp"
 #include "triplex/arithmetic/filter.hpp"
-#include "triplex/arithmetic/infinitesimal.hpp"
 #include "triplex/arithmetic/root_isolation.hpp"
 #include "triplex/bernstein/discriminant.hpp"
 #include "triplex/bernstein/forms.hpp"
@@ -19,7 +19,7 @@ namespace triplex::test {
 
 /// How often each page crosses an edge, by isolation of all roots of p, q and D on it; where a root
 /// is multiple, at an end of the edge or on the triple degenerate curve, by isolation for
-/// T + 2^-kBits B.
+/// T + eps B with a tiny eps.
 class EdgeOracle {
  public:
   EdgeOracle(const RefinableField& field, VertexId a, VertexId b) : field_(field), ends_{a, b} {
@@ -45,7 +45,7 @@ class EdgeOracle {
     d_ = Signs(d, error);
   }
 
-  /// The number of crossings of a page. Nothing if T + 2^-kBits B has ties of its own.
+  /// The number of crossings of a page. Nothing if T + eps B with a tiny eps has ties of its own.
   std::optional<int> crossings(Feature page) {
     const FeatureRow& row = standard_features().row(page);
     switch (page) {
@@ -67,10 +67,6 @@ class EdgeOracle {
   }
   std::size_t isolations() const { return isolations_; }
   std::size_t ties() const { return ties_; }
-
-  /// Far beyond the bits of the coefficients, which are at most sixteenth powers of dyadic numbers
-  /// of some fifty bits.
-  static constexpr int kBits = 1000;
 
  private:
   /// What doubles know of the signs of Bernstein coefficients.
@@ -140,9 +136,7 @@ class EdgeOracle {
   }
   const ExactForms& perturbed() {
     if (perturbed_) return *perturbed_;
-    Tensor<Exact> shift;
-    for (std::size_t k = 0; k < 9; ++k) shift[k] = Exact(std::ldexp(kPerturbation[k], -kBits));
-    shift = triple_deviator(shift);
+    const Tensor<Exact> shift = tiny_shift(field_);
     std::array<Tensor<Exact>, 2> ends = {field_.exact(ends_[0]), field_.exact(ends_[1])};
     for (auto& t : ends)
       for (std::size_t k = 0; k < 9; ++k) t[k] = t[k] + shift[k];

@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
+#include "tiny_shift.hpp"
 #include "triplex/arithmetic/exact_conversion.hpp"
 #include "triplex/arithmetic/filter.hpp"
-#include "triplex/arithmetic/infinitesimal.hpp"
 #include "triplex/arithmetic/root_isolation.hpp"
 #include "triplex/bernstein/forms.hpp"
 #include "triplex/refine/refine.hpp"
@@ -37,24 +37,20 @@ inline Univariate operator*(const Univariate& a, const Univariate& b) {
 inline Univariate operator-(const Univariate& a) { return Univariate{Exact(-1)} * a; }
 
 /// How many points of a face have p = q = 0: all common roots of the conic and the cubic by
-/// elimination of one coordinate; where that has ties, for T + 2^-kBits B.
+/// elimination of one coordinate; where that has ties, for T + eps B with a tiny eps.
 class FaceOracle {
  public:
-  static constexpr int kBits = 1000;
-
   FaceOracle(const RefinableField& field, const std::array<VertexId, 3>& vertices)
       : field_(field), vertices_(vertices) {}
 
-  /// Nothing if T + 2^-kBits B has ties of its own.
+  /// Nothing if T + eps B with a tiny eps has ties of its own.
   std::optional<int> spine_points() {
     if (misses_by_doubles()) return 0;
     ++eliminations_;
     std::array<Tensor<Exact>, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) corners[i] = field_.exact(vertices_[i]);
     if (const auto found = count_somehow(corners)) return found;
-    Tensor<Exact> shift;
-    for (std::size_t k = 0; k < 9; ++k) shift[k] = Exact(std::ldexp(kPerturbation[k], -kBits));
-    shift = triple_deviator(shift);
+    const Tensor<Exact> shift = tiny_shift(field_);
     for (auto& t : corners)
       for (std::size_t k = 0; k < 9; ++k) t[k] = t[k] + shift[k];
     return count_somehow(corners);
