@@ -24,9 +24,9 @@
 namespace triplex {
 namespace {
 
-const std::vector<std::string> kParts = {"tet",    "cube", "noise",
-                                         "lorenz", "abc",  "rayleigh-benard"};
-const std::vector<int> kSizes = {8, 9, 12, 16, 17, 24, 32};
+std::vector<std::string> all_parts() {
+  return {"tet", "cube", "noise", "lorenz", "abc", "rayleigh-benard"};
+}
 constexpr double kJitter = 0.2;
 
 struct SurveyOptions {
@@ -123,9 +123,9 @@ struct Family {
 void add_generated(const SurveyOptions& options, const std::string& part,
                    std::vector<Family>& families) {
   const GeneratorRow* generator = generator_named(part);
-  const std::vector<int> noise_sizes = {10, 20};
+  const std::vector<int> noise_sizes = {10, 20}, flow_sizes = {8, 9, 12, 16, 17, 24, 32};
   const bool noise = part == "noise";
-  for (const int n : !options.sizes.empty() ? options.sizes : noise ? noise_sizes : kSizes)
+  for (const int n : !options.sizes.empty() ? options.sizes : noise ? noise_sizes : flow_sizes)
     for (const double jitter : {0.0, kJitter}) {
       if (noise && jitter > 0) continue;  // invariants do not see the shapes of tets
       families.push_back({fmt::format("{}, n = {}{}", part, n, jitter > 0 ? ", jittered" : ""), 1,
@@ -195,7 +195,7 @@ int main(int argc, char** argv) {
   CLI::App app("What extraction leaves unresolved");
   app.add_option("files", options.files, "fields to survey");
   app.add_option("--part", options.parts, "families of generated fields; all if no file is given")
-      ->check(CLI::IsMember(triplex::kParts));
+      ->check(CLI::IsMember(triplex::all_parts()));
   app.add_option("--n", options.sizes, "cells per axis of generated fields")
       ->check(CLI::Range(1, 800));
   app.add_option("--tet-fields", options.tet_fields, "number of random fields on one tet")
@@ -210,7 +210,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   try {
     CLI11_PARSE(app, argc, argv);
-    if (options.parts.empty() && options.files.empty()) options.parts = triplex::kParts;
+    if (options.parts.empty() && options.files.empty()) options.parts = triplex::all_parts();
     return triplex::run(options) ? 0 : 1;
   } catch (const std::exception& e) {
     fmt::print(stderr, "unresolved_survey: {}\n", e.what());

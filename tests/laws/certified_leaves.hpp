@@ -161,8 +161,7 @@ inline std::vector<FaceClaim> face_claims(const RefinedComplex& complex, Feature
     }
   }
   std::ranges::sort(all);
-  const auto repeated = std::ranges::unique(all);
-  all.erase(repeated.begin(), repeated.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 

@@ -16,6 +16,7 @@ inline TetMesh delaunay_cube(int inner_points, std::mt19937_64& random) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Delaunay = CGAL::Delaunay_triangulation_3<Kernel>;
   std::vector<Point> points;
+  points.reserve(8 + static_cast<std::size_t>(inner_points));
   for (int c = 0; c < 8; ++c)
     points.push_back({c & 1 ? 1.0 : -1.0, c & 2 ? 1.0 : -1.0, c & 4 ? 1.0 : -1.0});
   std::uniform_int_distribution<int> coordinate(-1000, 1000);

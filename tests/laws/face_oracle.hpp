@@ -93,7 +93,7 @@ class FaceOracle {
   static std::optional<int> count_somehow(std::array<Tensor<Exact>, 3> corners) {
     for (int turn = 0; turn < 3; ++turn) {
       if (const auto found = count(corners)) return found;
-      std::ranges::rotate(corners, corners.begin() + 1);
+      std::rotate(corners.begin(), corners.begin() + 1, corners.end());
     }
     return std::nullopt;
   }

@@ -98,6 +98,7 @@ inline TetMesh cut_inside(const TetMesh& mesh, int times, std::mt19937_64& rando
 /// The cube [-1,1]^3 seen from its centre: two triangles on each side, or four around its middle.
 inline TetMesh cube_around_centre(bool with_middles) {
   std::vector<Point> points;
+  points.reserve(15);
   for (int c = 0; c < 8; ++c)
     points.push_back({c & 1 ? 1.0 : -1.0, c & 2 ? 1.0 : -1.0, c & 4 ? 1.0 : -1.0});
   points.push_back({0, 0, 0});

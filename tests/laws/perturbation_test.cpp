@@ -88,7 +88,7 @@ void compare_labels(const RefinedComplex& a, const RefinedComplex& b, Agreement&
       }
 }
 
-const std::vector<int> kBits = {20, 25, 30, 35, 40};
+constexpr std::array kBits = {20, 25, 30, 35, 40};
 
 /// One field against all its shifts.
 void compare_all(const TensorField& field, bool labels_only, std::vector<Agreement>& agreements) {
