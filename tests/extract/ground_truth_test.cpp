@@ -7,13 +7,14 @@
 #include <cmath>
 
 #include "fields.hpp"
-#include "triplex/topology/curve_topology.hpp"
-#include "triplex/topology/surface_topology.hpp"
+#include "topology.hpp"
 
 namespace triplex {
 namespace {
 
 using test::mesh_of;
+using test::Topology;
+using test::topology_of;
 
 /// Closed forms of the Lorenz system's deviator, sigma 10, rho 28, beta 8/3.
 double lorenz_p(const Point& x) { return x[0] * x[0] + 10 * x[2] - 8179.0 / 27; }
@@ -109,23 +110,6 @@ INSTANTIATE_TEST_SUITE_P(Meshes, LorenzTest,
                                          lorenz_grid(11, 0.2, CellSplit::Six),
                                          lorenz_grid(13, 0.1, CellSplit::Five),
                                          lorenz_grid(17, 0.15, CellSplit::Six)));
-
-struct Topology {
-  std::uint64_t components, loops;
-  std::int64_t euler;
-  bool operator==(const Topology&) const = default;
-};
-std::ostream& operator<<(std::ostream& out, const Topology& t) {
-  return out << t.components << " components, euler " << t.euler << ", " << t.loops << " loops";
-}
-Topology topology_of(const FeatureMesh& mesh) {
-  if (!mesh.segments.empty()) {
-    const auto t = curve_topology(mesh.segments, mesh.points.size());
-    return {t.components, t.ends, static_cast<std::int64_t>(t.closed)};
-  }
-  const auto t = surface_topology(mesh.triangles, mesh.points.size());
-  return {t.components, t.boundary_loops, t.euler};
-}
 
 /// A linear field has one answer whatever the mesh: wherever a feature is certified throughout on
 /// two meshes, its topology is the same on both.

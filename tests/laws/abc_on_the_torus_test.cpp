@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The Arnold-Beltrami-Childress flow at the default options, with opposite sides identified: its
+// curve and nodes are known, and its surfaces are the same on every fine mesh.
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <optional>
+
+#include "../extract/fields.hpp"
+#include "triplex/topology/curve_topology.hpp"
+#include "triplex/topology/surface_topology.hpp"
+
+namespace triplex {
+namespace {
+
+struct AbcMesh {
+  int n;
+  double jitter;
+  CellSplit split;
+};
+
+Extraction extract_on_torus(const AbcMesh& mesh) {
+  GridOptions grid;
+  grid.n = mesh.n;
+  grid.jitter = mesh.jitter;
+  grid.split = mesh.split;
+  grid.seed = 9;
+  ExtractionOptions options;
+  options.periodic = {true, true, true};
+  return extract(generate_abc(grid), options);
+}
+
+template <std::size_t N>
+std::vector<std::array<std::uint32_t, N>> glued(std::vector<std::array<std::uint32_t, N>> cells,
+                                                const FeatureMesh& mesh) {
+  for (auto& cell : cells)
+    for (std::uint32_t& v : cell) v = mesh.identified.at(v);
+  return cells;
+}
+
+void expect_six_curves(const Extraction& result) {
+  const FeatureMesh& curve = result.mesh(Feature::TripleCurve);
+  const CurveTopology t = curve_topology(glued(curve.segments, curve), curve.points.size());
+  EXPECT_EQ(t.components, 6u);
+  EXPECT_EQ(t.closed, 6u);
+  EXPECT_EQ(t.ends, 0u);
+  EXPECT_EQ(t.branches, 0u);
+}
+
+void expect_eight_nodes(const Extraction& result) {
+  EXPECT_TRUE(result.nodes_undecided.empty());
+  EXPECT_EQ(result.nodes.size(), 8u);
+  EXPECT_EQ(std::ranges::count(result.nodes, Feature::DegenerateLinear, &Node::feature), 4);
+  EXPECT_EQ(std::ranges::count(result.nodes, Feature::DegeneratePlanar, &Node::feature), 4);
+  for (const Node& node : result.nodes) {
+    EXPECT_NE(node.status, NodeStatus::Shared);
+    EXPECT_FALSE(node.eigenvalue_enclosure.contains(0));
+  }
+}
+
+TEST(AbcOnTheTorus, HasSixCurvesEightNodesAndTheSameSurfacesOnEveryMesh) {
+  std::array<std::optional<SurfaceTopology>, kStandardPages> known;
+  int compared = 0, certified_curves = 0;
+  for (const AbcMesh& mesh : {AbcMesh{33, 0, CellSplit::Six}, AbcMesh{33, 0.2, CellSplit::Six},
+                              AbcMesh{32, 0.2, CellSplit::Six}, AbcMesh{34, 0.1, CellSplit::Five},
+                              AbcMesh{32, 0, CellSplit::Six}}) {
+    SCOPED_TRACE(mesh.n);
+    const Extraction result = extract_on_torus(mesh);
+    expect_six_curves(result);
+    expect_eight_nodes(result);
+    certified_curves += test::certified(result, Feature::TripleCurve);
+    for (std::size_t f = 0; f < kStandardPages; ++f) {
+      if (!test::certified(result, static_cast<Feature>(f))) continue;
+      const FeatureMesh& surface = result.features[f];
+      const SurfaceTopology t =
+          surface_topology(glued(surface.triangles, surface), surface.points.size());
+      EXPECT_TRUE(t.manifold());
+      EXPECT_EQ(t.orientation_conflicts, 0u);
+      std::cout << "n = " << mesh.n << ", " << standard_features().rows()[f].name << ": "
+                << t.components << " components, euler " << t.euler << ", " << t.boundary_loops
+                << " loops\n";
+      if (known[f]) {
+        EXPECT_EQ(t.components, known[f]->components);
+        EXPECT_EQ(t.euler, known[f]->euler);
+        EXPECT_EQ(t.boundary_loops, known[f]->boundary_loops);
+        ++compared;
+      }
+      known[f] = t;
+    }
+  }
+  EXPECT_GE(certified_curves, 3);
+  EXPECT_GE(compared, 4);
+}
+
+}  // namespace
+}  // namespace triplex
