@@ -100,6 +100,46 @@ std::optional<Pair> invariant_box(const Pair& a, const Pair& b, const Apply& app
   return {};
 }
 
+/// The hull of tensors, in a basis.
+Split enclosure_in(std::span<const Tensor<Interval>> tensors,
+                                  const SplittingBasis& basis,
+                                  const Tensor<Interval>& inverse_basis) {
+  Tensor<Interval> enclosure = in_basis(tensors[0], basis, inverse_basis);
+  for (const Tensor<Interval>& t : tensors.subspan(1)) {
+    const Tensor<Interval> other = in_basis(t, basis, inverse_basis);
+    for (std::size_t k = 0; k < 9; ++k) enclosure[k] = hull(enclosure[k], other[k]);
+  }
+  return split(enclosure);
+}
+
+std::optional<Block> inverse_of_shifted(const Block& m, const Interval& shift) {
+  Block shifted = m;
+  for (std::size_t k = 0; k < 2; ++k) shifted[k][k] -= shift;
+  return inverse(shifted);
+}
+
+/// The plane {(z, y z)} that a tensor maps into itself: y (M - d) = c - (y b) y.
+std::optional<Pair> invariant_plane(const Split& a) {
+  const auto k = inverse_of_shifted(a.block, a.corner);
+  if (!k) return {};
+  return invariant_box(a.row, a.column, [&](const Pair& z) { return row_times(z, *k); });
+}
+/// The line through (r, 1) that it maps into itself: (M - d) r = r (c r) - b.
+std::optional<Pair> invariant_line(const Split& a) {
+  const auto k = inverse_of_shifted(a.block, a.corner);
+  if (!k) return {};
+  return invariant_box({-a.column[0], -a.column[1]}, {-a.row[0], -a.row[1]},
+                       [&](const Pair& z) { return times_column(*k, z); });
+}
+
+/// The tensor restricted to the plane, in the coordinates z: M + b y.
+Block restricted(const Split& a, const Pair& y) {
+  Block m = a.block;
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j) m[i][j] += a.column[i] * y[j];
+  return m;
+}
+
 }  // namespace
 
 std::optional<SplittingBasis> splitting_basis_approx(const Eigen::Matrix3d& tensor) {
@@ -154,34 +194,19 @@ bool compression_is_timelike(std::span<const Tensor<Interval>> tensors,
                              const Tensor<Interval>& derivative, const SplittingBasis& basis) {
   const auto inverse_basis = inverse(basis);
   if (!inverse_basis) return false;
-  Tensor<Interval> enclosure = in_basis(tensors[0], basis, *inverse_basis);
-  for (const Tensor<Interval>& t : tensors.subspan(1)) {
-    const Tensor<Interval> other = in_basis(t, basis, *inverse_basis);
-    for (std::size_t k = 0; k < 9; ++k) enclosure[k] = hull(enclosure[k], other[k]);
-  }
-  const Split a = split(enclosure);
-
-  // The plane {(z, y z)}: y (M - d) = c - (y b) y; the line through (r, 1): (M - d) r = r (c r) - b.
-  Block shifted = a.block;
-  for (std::size_t k = 0; k < 2; ++k) shifted[k][k] -= a.corner;
-  const auto k = inverse(shifted);
-  if (!k) return false;
-  const auto y =
-      invariant_box(a.row, a.column, [&](const Pair& z) { return row_times(z, *k); });
-  const auto r = invariant_box({-a.column[0], -a.column[1]}, {-a.row[0], -a.row[1]},
-                               [&](const Pair& z) { return times_column(*k, z); });
+  const Split a = enclosure_in(tensors, basis, *inverse_basis);
+  const auto y = invariant_plane(a), r = invariant_line(a);
   if (!y || !r) return false;
 
   // The line is not in the plane, and its eigenvalue is none of the plane's.
-  Block complement, apart;
-  const Interval third = a.corner + dot(a.row, *r);
+  Block complement;
   for (std::size_t i = 0; i < 2; ++i)
-    for (std::size_t j = 0; j < 2; ++j) {
+    for (std::size_t j = 0; j < 2; ++j)
       complement[i][j] = Interval(i == j ? 1 : 0) - (*r)[i] * (*y)[j];
-      apart[i][j] = a.block[i][j] + a.column[i] * (*y)[j] - (i == j ? third : Interval(0));
-    }
   const auto normal = inverse(complement);
-  if (!normal || !inverse(apart) || magnitude(dot(*y, *r)) >= 1) return false;
+  const Interval third = a.corner + dot(a.row, *r);
+  if (!normal || !inverse_of_shifted(restricted(a, *y), third) || magnitude(dot(*y, *r)) >= 1)
+    return false;
 
   // Compressed: (I - r y)^-1 (M' + b' y - r (c' + d' y)), and its discriminant.
   const Split d = split(in_basis(derivative, basis, *inverse_basis));
@@ -194,6 +219,58 @@ bool compression_is_timelike(std::span<const Tensor<Interval>> tensors,
   const Interval discriminant =
       square(first[0] - second[1]) + Interval(4) * first[1] * second[0];
   return discriminant.sup() < 0;
+}
+
+std::optional<SplittingBasis> block_basis_approx(const Eigen::Matrix3d& tensor, int axis) {
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  Eigen::Matrix2d m;
+  m << tensor(i, i), tensor(i, j), tensor(j, i), tensor(j, j);
+  const Eigen::EigenSolver<Eigen::Matrix2d> solver(m);
+  if (solver.info() != Eigen::Success || solver.eigenvalues()[0].imag() != 0) return {};
+  const Eigen::Vector2d l = solver.eigenvalues().real();
+  const int near = std::fabs(l[0] - tensor(axis, axis)) < std::fabs(l[1] - tensor(axis, axis)) ? 0 : 1;
+  SplittingBasis s = SplittingBasis::Zero();
+  const Eigen::Matrix2d vectors = solver.eigenvectors().real();
+  s(i, 0) = vectors(0, near), s(j, 0) = vectors(1, near);
+  s(axis, 1) = 1;
+  s(i, 2) = vectors(0, 1 - near), s(j, 2) = vectors(1, 1 - near);
+  return s;
+}
+
+bool couplings_agree(std::span<const Tensor<Interval>> tensors,
+                     std::span<const Tensor<Interval>> derivatives, const SplittingBasis& basis,
+                     const ZeroCouplings& zero) {
+  const auto inverse_basis = inverse(basis);
+  if (!inverse_basis) return false;
+  const Split a = enclosure_in(tensors, basis, *inverse_basis);
+  const auto y = invariant_plane(a);
+  if (!y) return false;
+  const Block effective = restricted(a, *y);
+  const auto apart = inverse_of_shifted(effective, a.corner - dot(*y, a.column));
+  if (!apart) return false;
+  int sign = 0;
+  const auto agrees = [&](const Interval& x) {
+    const int s = x.inf() > 0 ? 1 : x.sup() < 0 ? -1 : 0;
+    if (s == 0 || (sign != 0 && s != sign)) return false;
+    sign = s;
+    return true;
+  };
+  if (!zero.upper && !agrees(effective[0][1])) return false;
+  if (!zero.lower && !agrees(effective[1][0])) return false;
+  return std::ranges::all_of(derivatives, [&](const Tensor<Interval>& derivative) {
+    // y' (M + b y - (d - y b)) = c' + d' y - y M' - (y b') y, and (M + b y)' = M' + b' y + b y'.
+    const Split d = split(in_basis(derivative, basis, *inverse_basis));
+    const Pair ym = row_times(*y, d.block);
+    const Interval yd = dot(*y, d.column);
+    Pair rate;
+    for (std::size_t j = 0; j < 2; ++j)
+      rate[j] = d.row[j] + d.corner * (*y)[j] - ym[j] - yd * (*y)[j];
+    rate = row_times(rate, *apart);
+    const auto growth = [&](std::size_t i, std::size_t j) {
+      return d.block[i][j] + d.column[i] * (*y)[j] + a.column[i] * rate[j];
+    };
+    return (!zero.upper || agrees(growth(0, 1))) && (!zero.lower || agrees(growth(1, 0)));
+  });
 }
 
 }  // namespace triplex

@@ -31,4 +31,23 @@ std::optional<Eigen::Matrix2d> rotation_basis_approx(const Eigen::Vector3d& time
 bool compression_is_timelike(std::span<const Tensor<Interval>> tensors,
                              const Tensor<Interval>& derivative, const SplittingBasis& basis);
 
+/// For a tensor that splits along a coordinate axis: the in-plane eigenvector nearer to the axis's
+/// eigenvalue, the axis, the other eigenvector. A guess; its zeros are exact. Nothing if the plane
+/// has no two real eigenvalues.
+std::optional<SplittingBasis> block_basis_approx(const Eigen::Matrix3d& tensor, int axis);
+
+/// Which entries beside the diagonal of the restricted tensor vanish on a plane.
+struct ZeroCouplings {
+  bool upper = false, lower = false;
+};
+
+/// Proves for every tensor in the hull of `tensors` that the first two vectors of the basis come
+/// near an invariant plane, and of the restricted tensor's entries beside the diagonal that those
+/// that are zero on the plane have a rate of change of one sign along all the derivatives; the other
+/// one, or its rate, has that sign too. \pre inside an `IntervalRounding`.
+/// Source: proofs/block_plane.md.
+bool couplings_agree(std::span<const Tensor<Interval>> tensors,
+                     std::span<const Tensor<Interval>> derivatives, const SplittingBasis& basis,
+                     const ZeroCouplings& zero);
+
 }  // namespace triplex

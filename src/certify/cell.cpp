@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "triplex/certify/block_plane.hpp"
 #include "triplex/certify/descartes.hpp"
 #include "triplex/certify/edge_side.hpp"
 #include "triplex/certify/exclusion.hpp"
@@ -85,18 +86,23 @@ class SignedSimplex {
     return sign.value;
   }
 
+  bool lacks_sign_of(const Sheet& sheet) {
+    return sign_p() == -sheet.sign_p || sign_q() == -sheet.sign_q;
+  }
   bool lacks_page_of(const Sheet& sheet) {
-    return sign_p() == -sheet.sign_p || sign_q() == -sheet.sign_q ||
-           excludes_page(simplex_, sheet, stages_);
+    return lacks_sign_of(sheet) || excludes_page(simplex_, sheet, stages_);
   }
   bool attempt(const Sheet& sheet, bool near_spine) {
     const bool curved = sheet.kind == Sheet::Kind::Curved;
-    const bool absent = curved                                ? lacks_page_of(sheet)
+    // Labels there are those of T itself, so the perturbed field does not speak of the page.
+    const bool at_node = curved && sheet.map.is_identity() && simplex_.has_node_vertex();
+    const bool absent = at_node                               ? lacks_sign_of(sheet)
+                        : curved                              ? lacks_page_of(sheet)
                         : sheet.kind == Sheet::Kind::Balanced ? sign_p() != Sign::Zero
                                                               : sign_q() != Sign::Zero;
-    if (absent) return true;
-    if (curved && simplex_.has_enclosed_vertex()) return certifies_at_node(sheet);
-    if (certifies_graph(simplex_, sheet, stages_)) return true;
+    if (absent || (!at_node && certifies_graph(simplex_, sheet, stages_))) return true;
+    if (curved && sheet.map.is_identity() && certifies_unperturbed(at_node)) return true;
+    if (at_node) return false;
     if constexpr (N == 2)
       return (!curved || !near_spine) && certifies_one_root(simplex_, sheet, stages_);
     // Last, as they cost most. The sign of D is asked for by the tet itself, once for all sheets
@@ -111,12 +117,15 @@ class SignedSimplex {
     }
   }
 
-  /// At a node: D vanishes nowhere else, or its nappes are graphs. On an edge only the former fixes
-  /// what the labels say.
-  bool certifies_at_node(const Sheet& sheet) {
-    if (!sheet.map.is_identity()) return false;
-    if (certifies_only_node(simplex_, stages_)) return true;
-    if constexpr (N > 2) return has_nappes();
+  /// What is known of degenerate pages by the structure of T itself: on planes of symmetry and
+  /// beside them, and at nodes, where D vanishes nowhere else or its nappes are graphs. (On an edge
+  /// at a node only the former fixes what the labels say.)
+  bool certifies_unperturbed(bool at_node) {
+    if constexpr (N < 4)
+      if (simplex_.block_axis() >= 0) return certifies_block(simplex_, stages_);
+    if (at_node && certifies_only_node(simplex_, stages_)) return true;
+    if (certifies_real_off_block(simplex_, stages_)) return true;
+    if constexpr (N > 2) return at_node && has_nappes();
     return false;
   }
   /// Found once: it serves both degenerate pages, and asks no rung beyond the intervals.
@@ -142,6 +151,8 @@ FeatureSet possible_features(SignedSimplex<4>& cell, const FeatureTable& table,
   const auto& sheets = table.sheets();
   for (int s = kFlatSheets; s < static_cast<int>(sheets.size()); ++s) {
     const Feature page = table.curved_page(s);
+    // At a node the labels are those of T itself, so the perturbed field does not speak of its page.
+    if (sheets[static_cast<std::size_t>(s)].map.is_identity() && (*cell).has_node_vertex()) continue;
     if (contains(possible, page) &&
         excludes_page(*cell, sheets[static_cast<std::size_t>(s)], stages))
       possible &= ~bit(page);
@@ -204,6 +215,7 @@ class CellCheck {
     MapList maps = maps_of(failed_);
     bool found = false;
     for (const ModeMap& map : maps.span()) {
+      if (map.is_identity() && (*cell_).has_node_vertex()) continue;
       const Sign sign = uniform_sign_of_discriminant(*cell_, map, stages_);
       if (sign == Sign::Zero) continue;
       exclude(pages_of(map) | kCurve);

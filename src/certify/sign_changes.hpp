@@ -43,4 +43,21 @@ class SignChanges {
   bool first_ = true;
 };
 
+/// The common sign of the coefficients of a layer, once all are added.
+class LayerSign {
+ public:
+  void add(Certainty c) {
+    if (first_)
+      sign_ = c;
+    else if (sign_ != c)
+      sign_ = Certainty::Unknown;
+    first_ = false;
+  }
+  Certainty sign() const { return sign_; }
+
+ private:
+  Certainty sign_ = Certainty::Unknown;
+  bool first_ = true;
+};
+
 }  // namespace triplex

@@ -188,6 +188,22 @@ VertexId RefinableField::add_enclosed(const std::array<VertexId, 4>& tet,
   return v;
 }
 
+unsigned RefinableField::zero_couplings(VertexId v) const {
+  if (is_enclosed(v)) return 0;
+  const Combination c = combination(v);
+  unsigned zero = 0b111111;
+  for (std::size_t i = 0; i < 4 && zero != 0; ++i) {
+    if (c.numerators[i] == 0) continue;
+    const Tensor<double>& t = field_->tensors[input_of_[index(c.vertices[i])]];
+    for (std::size_t k = 0; k < 3; ++k)
+      for (const std::size_t other : {(k + 1) % 3, (k + 2) % 3}) {
+        if (t[3 * other + k] != 0) zero &= ~(1u << k);
+        if (t[3 * k + other] != 0) zero &= ~(8u << k);
+      }
+  }
+  return zero;
+}
+
 double RefinableField::weight(VertexId v, VertexId corner) const {
   const Combination c = combination(v);
   for (std::size_t i = 0; i < 4; ++i)

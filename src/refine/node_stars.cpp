@@ -26,14 +26,12 @@ Sign sign_of_determinant(const Coordinates& m) {
   return d.inf() > 0 ? Sign::Positive : d.sup() < 0 ? Sign::Negative : Sign::Zero;
 }
 
-/// The sector on the real side of a degenerate page: a node belongs to its closure, and so does a
-/// whole ring around the node.
+}  // namespace
+
 Sector real_side(const FeatureTable& table, Feature page) {
   const int k = table.position(page);
   return static_cast<Sector>(page == Feature::DegenerateLinear ? k : k - 1);
 }
-
-}  // namespace
 
 NodeStars::NodeStars(RefinedComplex& complex, const FeatureTable& table, FeatureSet features)
     : complex_(complex),
@@ -97,7 +95,7 @@ std::optional<VertexId> NodeStars::ready_in(const Leaf& leaf, SignStages& stages
   const auto waiting = waiting_.find(leaf.input);
   if (waiting == waiting_.end() || waiting->second.empty()) return {};
   if (std::ranges::any_of(leaf.vertices,
-                          [&](VertexId v) { return complex_.field.is_enclosed(v); }))
+                          [&](VertexId v) { return complex_.field.is_node_vertex(v); }))
     return {};
   for (const Waiting& node : waiting->second)
     if (holds(leaf, node) &&

@@ -11,6 +11,10 @@
 
 namespace triplex {
 
+/// The sector on the real side of a degenerate page: a node belongs to its closure, and so does a
+/// whole ring around the node.
+Sector real_side(const FeatureTable& table, Feature page);
+
 /// Nodes on their way to becoming vertices of the refined mesh: those proven to lie inside a tet of
 /// the input. Each gets a vertex, known by an enclosure; the leaf that holds it is replaced by the
 /// four tets around it as soon as their certificates hold. Source: proofs/star.md.

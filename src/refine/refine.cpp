@@ -94,6 +94,7 @@ class Refinement {
     const bool pages = options_.features != level_sets_;
     complex_.sectors.resize(count, pages ? kOpenSector : 0);
     if (level_sets_ != 0) complex_.sides.resize(count);
+    tbb::enumerable_thread_specific<std::vector<VertexId>> nodes;
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(first, count, kGrain), [&](const auto& range) {
           SignStages& stages = stages_.local();
@@ -102,11 +103,23 @@ class Refinement {
                                     ? sector_at(complex_.field, VertexId(v), options_.table, stages)
                                     : std::nullopt;
             if (sector) complex_.sectors[v] = static_cast<std::uint8_t>(*sector);
+            if (pages && is_node(complex_.field, VertexId(v))) nodes.local().push_back(VertexId(v));
             if (level_sets_ != 0)
               complex_.sides[v] =
                   sides_at(complex_.field, VertexId(v), options_.table, level_sets_, stages);
           }
         });
+    for (const auto& found : nodes)
+      for (const VertexId v : found) declare_node(v);
+  }
+
+  /// A node is a feature of T itself: it gets the label of T, not of T + eps B.
+  void declare_node(VertexId v) {
+    complex_.field.declare_node(v);
+    const Sign q = sign(forms_of<Exact, 1>({complex_.field.exact(v)}).q[0]);
+    const Feature page =
+        q == Sign::Positive ? Feature::DegenerateLinear : Feature::DegeneratePlanar;
+    complex_.sectors[index(v)] = static_cast<std::uint8_t>(real_side(options_.table, page));
   }
 
   /// Certifies the pending tets; returns the edges that open ones ask to bisect.

@@ -100,6 +100,23 @@ class Simplex {
   }
   bool has_enclosed_vertex() const { return enclosed_vertex() < N; }
 
+  /// Local number of a vertex that is a node; N if none is.
+  int node_vertex() const {
+    for (int i = 0; i < N; ++i)
+      if (field_->is_node_vertex(vertices_[i])) return i;
+    return N;
+  }
+  bool has_node_vertex() const { return node_vertex() < N; }
+  /// The coordinate axis along which the tensors of all vertices are block triangular, all in
+  /// column or all in row; -1 if there is none.
+  int block_axis() const {
+    unsigned zero = 0b111111;
+    for (int i = 0; i < N && zero != 0; ++i) zero &= field_->zero_couplings(vertices_[i]);
+    for (int k = 0; k < 3; ++k)
+      if ((zero >> k & 1u) || (zero >> (3 + k) & 1u)) return k;
+    return -1;
+  }
+
   /// Decides a test for the perturbed field T + eps B, rung by rung.
   /// `test(forms, bounds)` is called with forms over double, Interval, Exact and Perturbed in turn
   /// until one rung answers Yes or No. A test that even the perturbation leaves open is answered

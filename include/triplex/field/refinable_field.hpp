@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "triplex/arithmetic/exact.hpp"
@@ -70,6 +71,16 @@ class RefinableField {
                         double radius);
   bool is_enclosed(VertexId v) const { return !enclosed_.empty() && index(v) >= enclosed_from_ &&
                                               enclosed_.contains(v); }
+  /// On planes of symmetry and at free-slip walls tensors are block triangular. Bit k (bit 3 + k):
+  /// the two entries beside the diagonal in column (row) k are exactly zero, at all vertices of the
+  /// input that this one is combined of.
+  unsigned zero_couplings(VertexId v) const;
+  /// Declares a vertex to be a node, proven by `is_node`.
+  void declare_node(VertexId v) { nodes_.insert(v); }
+  /// A node: declared one, or enclosed.
+  bool is_node_vertex(VertexId v) const {
+    return (!nodes_.empty() && nodes_.contains(v)) || is_enclosed(v);
+  }
   /// The weight of a vertex of the input in a vertex that is not enclosed, exactly.
   double weight(VertexId v, VertexId corner) const;
 
@@ -104,6 +115,7 @@ class RefinableField {
   std::vector<Combination> midpoints_;  // unused where the vertex is enclosed
   std::unordered_map<VertexId, Enclosed> enclosed_;
   std::size_t enclosed_from_ = 0;  // no vertex before is
+  std::unordered_set<VertexId> nodes_;
   int scale_exponent_ = 0;
 };
 

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triplex/certify/block_plane.hpp"
+
+#include <algorithm>
+
+#include "block.hpp"
+#include "sign_changes.hpp"
+#include "triplex/bernstein/discriminant.hpp"
+
+namespace triplex {
+namespace {
+
+/// The entries of the 2 x 2 block beside an axis.
+struct InPlane {
+  std::size_t ii, ij, ji, jj;
+  explicit InPlane(int axis) {
+    const auto i = static_cast<std::size_t>((axis + 1) % 3);
+    const auto j = static_cast<std::size_t>((axis + 2) % 3);
+    ii = 4 * i, jj = 4 * j, ij = 3 * i + j, ji = 3 * j + i;
+  }
+};
+
+/// Bernstein coefficient of disc(M) = (m_ii - m_jj)^2 + 4 m_ij m_ji for two vertices.
+template <class NT>
+NT discriminant_of_block(const Tensor<NT>& a, const Tensor<NT>& b, const InPlane& m) {
+  return (a[m.ii] - a[m.jj]) * (b[m.ii] - b[m.jj]) +
+         NT(2) * (a[m.ij] * b[m.ji] + a[m.ji] * b[m.ij]);
+}
+/// |coefficient| <= 4 M^2 + 4 M^2 for entries up to M; they change it by 8 ((M + e)^2 - M^2), and
+/// at most 5 roundings fall on one term.
+double discriminant_error(const EntryBounds& b) {
+  return (1 + 0x1p-20) * (8 * b.error * (2 * b.magnitude + b.error) +
+                          gamma(5) * 8 * b.magnitude * b.magnitude);
+}
+
+/// At most one sign change of the layers, for some way to split the vertices in two.
+template <class NT, int N>
+Verdict one_root_per_segment(const std::array<Tensor<NT>, N>& a, const InPlane& m, double error) {
+  std::array<Certainty, kPairs<N>> signs;
+  for (int n = 0; n < kPairs<N>; ++n) {
+    const auto [i, j] = pairs<N>()[n];
+    signs[n] = certainty(discriminant_of_block(a[i], a[j], m), error);
+  }
+  for (unsigned side = 1; side < (1u << (N - 1)); ++side) {
+    std::array<LayerSign, 3> layers;
+    for (int n = 0; n < kPairs<N>; ++n) {
+      const auto [i, j] = pairs<N>()[n];
+      layers[(side >> i & 1u) + (side >> j & 1u)].add(signs[n]);
+    }
+    SignChanges changes;
+    for (const LayerSign& layer : layers) changes.add(layer.sign());
+    if (changes.most() <= 1) return Verdict::Yes;
+  }
+  return std::ranges::find(signs, Certainty::Unknown) == signs.end() ? Verdict::No
+                                                                     : Verdict::Unknown;
+}
+
+}  // namespace
+
+template <int N>
+bool certifies_block(const Simplex<N>& simplex, SignStages& stages) {
+  const InPlane m(simplex.block_axis());
+  std::array<Tensor<double>, N> a;
+  EntryBounds bounds;
+  for (int i = 0; i < N; ++i) {
+    const ApproximateTensor& v = simplex.field().approximate(simplex.vertices()[i]);
+    a[i] = v.a;
+    bounds.include(v.bounds);
+  }
+  if (bounds.usable()) {
+    const Verdict verdict = one_root_per_segment<double, N>(a, m, discriminant_error(bounds));
+    if (verdict != Verdict::Unknown) {
+      stages.count(Stage::Filter);
+      return verdict == Verdict::Yes;
+    }
+  }
+  stages.count(Stage::Exact);
+  const auto exact = simplex.exact_tensors();
+  Verdict verdict = one_root_per_segment<Exact, N>(exact, m, 0);
+  if (verdict == Verdict::Unknown) {
+    Tensor<Exact> direction;
+    for (std::size_t k = 0; k < 9; ++k) direction[k] = Exact(kPerturbation[k]);
+    direction = triple_deviator(direction);
+    std::array<Tensor<Series<3>>, N> perturbed;
+    for (int i = 0; i < N; ++i)
+      for (std::size_t k = 0; k < 9; ++k) perturbed[i][k] = Series<3>(exact[i][k], direction[k]);
+    verdict = one_root_per_segment<Series<3>, N>(perturbed, m, 0);
+  }
+  return verdict == Verdict::Yes;
+}
+
+namespace {
+
+/// The pencil of segments from the vertices on a plane where the tensors are block triangular along
+/// an axis, in column, in row, or both, to the others.
+template <int N>
+bool real_off_plane(const Simplex<N>& simplex, int axis, const ZeroCouplings& zero,
+                    const std::array<bool, N>& on_plane) {
+  const auto& field = simplex.field();
+  Eigen::Matrix3d centre = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < N; ++i)
+    for (std::size_t k = 0; on_plane[i] && k < 9; ++k)
+      centre(static_cast<int>(k) / 3, static_cast<int>(k) % 3) +=
+          field.approximate(simplex.vertices()[i]).a[k];
+  const auto basis = block_basis_approx(centre, axis);
+  if (!basis) return false;
+  const IntervalRounding protect;
+  std::array<Tensor<Interval>, N> a;
+  for (int i = 0; i < N; ++i) {
+    const ApproximateTensor& t = field.approximate(simplex.vertices()[i]);
+    for (std::size_t k = 0; k < 9; ++k)
+      a[i][k] = Interval(t.a[k]) + Interval(-t.bounds.error, t.bounds.error);
+  }
+  std::vector<Tensor<Interval>> away;
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j < N; ++j) {
+      if (!on_plane[i] || on_plane[j]) continue;
+      away.emplace_back();
+      for (std::size_t k = 0; k < 9; ++k) away.back()[k] = a[j][k] - a[i][k];
+    }
+  return couplings_agree(a, away, *basis, zero);
+}
+
+}  // namespace
+
+template <int N>
+bool certifies_real_off_block(const Simplex<N>& simplex, SignStages& stages) {
+  if (!simplex.filter_usable()) return false;
+  std::array<unsigned, N> couplings;
+  unsigned any = 0;
+  for (int i = 0; i < N; ++i)
+    any |= couplings[i] = simplex.field().zero_couplings(simplex.vertices()[i]);
+  if (any == 0) return false;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const ZeroCouplings zero : {ZeroCouplings{true, true}, {true, false}, {false, true}}) {
+      const unsigned wanted = (zero.upper ? 1u << axis : 0) | (zero.lower ? 8u << axis : 0);
+      std::array<bool, N> on_plane;
+      for (int i = 0; i < N; ++i) on_plane[i] = (couplings[i] & wanted) == wanted;
+      const auto count = std::ranges::count(on_plane, true);
+      if (count == 0 || count == N) continue;
+      stages.count(Stage::Interval);
+      if (real_off_plane<N>(simplex, axis, zero, on_plane)) return true;
+    }
+  return false;
+}
+
+template bool certifies_block<2>(const Simplex<2>&, SignStages&);
+template bool certifies_block<3>(const Simplex<3>&, SignStages&);
+template bool certifies_real_off_block<2>(const Simplex<2>&, SignStages&);
+template bool certifies_real_off_block<3>(const Simplex<3>&, SignStages&);
+template bool certifies_real_off_block<4>(const Simplex<4>&, SignStages&);
+
+}  // namespace triplex
