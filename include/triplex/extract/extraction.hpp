@@ -19,7 +19,8 @@
 
 namespace triplex {
 
-/// One feature as an indexed mesh: triangles for a surface, segments for the triple curve.
+/// One feature as an indexed mesh: triangles for a surface, segments for the triple curve and for
+/// the degenerate curves of symmetric tensors.
 /// Watertight by construction: cells share vertices by index. Triangles are consistently oriented:
 /// normals point in the direction in which the angle of (p, q) grows; on a level set, outwards.
 struct FeatureMesh {
@@ -93,6 +94,9 @@ struct Interrupted {};
 struct Extraction {
   FeatureTable table;
   FeatureSet requested = 0;
+  /// The surfaces of the table that are curves in this field: the degenerate ones, if all tensors
+  /// are exactly symmetric. Their meshes have segments.
+  FeatureSet curves = 0;
   std::vector<FeatureMesh> features;  ///< one per row of the table; empty where not asked for
   const FeatureMesh& mesh(Feature f) const { return features[index(f)]; }
   /// The domain cut by all pages of the table. Empty unless `ExtractionOptions::domains`.

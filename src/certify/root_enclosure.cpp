@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "root_enclosure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "triplex/arithmetic/interval.hpp"
+
+namespace triplex {
+namespace {
+
+struct IntegerRange {
+  mpz_class lo, hi;
+};
+
+mpz_class power(const mpz_class& x, std::size_t n) {
+  mpz_class r;
+  mpz_pow_ui(r.get_mpz_t(), x.get_mpz_t(), n);
+  return r;
+}
+
+/// Term by term: both factors are positive, so each is monotone.
+IntegerRange enclosure(const std::vector<mpz_class>& form, const RootInterval& t) {
+  const std::size_t degree = form.size() - 1;
+  const mpz_class one = mpz_class(1) << t.exponent;
+  const mpz_class s_lo = one - t.hi, s_hi = one - t.lo;
+  IntegerRange r;
+  for (std::size_t k = 0; k <= degree; ++k) {
+    const mpz_class low = power(s_lo, degree - k) * power(t.lo, k);
+    const mpz_class high = power(s_hi, degree - k) * power(t.hi, k);
+    r.lo += form[k] * (sgn(form[k]) >= 0 ? low : high);
+    r.hi += form[k] * (sgn(form[k]) >= 0 ? high : low);
+  }
+  return r;
+}
+
+long exponent_of(const mpz_class& x) {
+  return sgn(x) == 0 ? 0 : static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2));
+}
+
+/// x 2^-shift, rounded downwards (`towards` negative) or upwards. The mantissa is cut off, by less
+/// than its last place; the product may be rounded once more, where it is no normal double.
+double rounded(const mpz_class& x, long shift, double towards) {
+  if (sgn(x) == 0) return 0;
+  signed long exponent = 0;
+  const double mantissa = mpz_get_d_2exp(&exponent, x.get_mpz_t());
+  const auto scaled = std::ldexp(std::nextafter(mantissa, towards),
+                                 static_cast<int>(std::max(exponent - shift, -2000L)));
+  return std::nextafter(scaled, towards);
+}
+
+[[gnu::noinline]] std::vector<Range> shares_in_intervals(std::span<const Range> x) {
+  const IntervalRounding protect;
+  Interval sum(0.0);
+  for (const Range& r : x) sum = sum + Interval(r.lo, r.hi);
+  std::vector<Range> result;
+  if (!(sum.inf() > 0 || sum.sup() < 0)) return result;
+  for (const Range& r : x) {
+    const Interval share = Interval(r.lo, r.hi) / sum;
+    result.push_back({share.inf(), share.sup()});
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Range> enclosures(std::span<const std::vector<mpz_class>> forms,
+                              const RootInterval& interval) {
+  std::vector<IntegerRange> integers;
+  long shift = std::numeric_limits<long>::min();
+  for (const auto& form : forms) {
+    integers.push_back(enclosure(form, interval));
+    shift = std::max({shift, exponent_of(integers.back().lo), exponent_of(integers.back().hi)});
+  }
+  std::vector<Range> result;
+  for (const IntegerRange& r : integers)
+    result.push_back({rounded(r.lo, shift, -HUGE_VAL), rounded(r.hi, shift, HUGE_VAL)});
+  return result;
+}
+
+std::vector<Range> shares(std::span<const Range> x) { return shares_in_intervals(x); }
+
+}  // namespace triplex

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triplex/extract/degenerate_curves.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+
+#include "curve_mesh.hpp"
+#include "triplex/certify/eigenvalue_gap.hpp"
+#include "triplex/refine/refine.hpp"
+
+namespace triplex {
+namespace {
+
+constexpr FeatureSet kDegenerate = bit(Feature::DegenerateLinear) | bit(Feature::DegeneratePlanar);
+
+/// The steps: tets, their faces, the arcs between the points on these.
+class CurveSearch {
+ public:
+  CurveSearch(const TensorField& input, const RefinedComplex& complex)
+      : input_(input), complex_(complex), field_(complex.field) {}
+
+  DegenerateCurves run(FeatureSet features, bool keep_tensors) {
+    exclude_tets();
+    collect_faces();
+    isolate_points();
+    link_points();
+    DegenerateCurves result;
+    CurveMeshBuilder builder(input_, complex_, faces_, points_, keep_tensors);
+    for (std::size_t n = 0; n < tets_.size(); ++n) {
+      const OpenTet& tet = tets_[n];
+      if (tet.arcs.obstacle == CurveObstacle::None)
+        builder.add(tet.id, tet.vertices, tet.faces, tet.arcs.arcs);
+      else if ((tet.open & features) != 0)
+        result.undecided.push_back({tet.id, tet.open & features, tet.arcs.obstacle});
+    }
+    if (contains(features, Feature::DegenerateLinear))
+      result.linear = builder.take(Feature::DegenerateLinear);
+    if (contains(features, Feature::DegeneratePlanar))
+      result.planar = builder.take(Feature::DegeneratePlanar);
+    return result;
+  }
+
+ private:
+  /// A tet that may hold a degenerate point.
+  struct OpenTet {
+    TetId id;
+    FeatureSet open;
+    std::array<VertexId, 4> vertices;    // ascending
+    std::array<std::uint32_t, 4> faces;  // opposite to the vertices
+    CellArcs arcs;
+  };
+
+  void exclude_tets() {
+    const auto& tets = field_.input_tets();
+    std::vector<std::uint8_t> open(tets.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tets.size(), 512), [&](const auto& range) {
+      for (std::size_t t = range.begin(); t < range.end(); ++t) {
+        auto vertices = tets[t];
+        std::ranges::sort(vertices);
+        open[t] =
+            static_cast<std::uint8_t>(kDegenerate & ~degenerate_features_missed(field_, vertices));
+      }
+    });
+    for (std::size_t t = 0; t < tets.size(); ++t) {
+      if (open[t] == 0) continue;
+      tets_.push_back({TetId(t), open[t], tets[t], {}, {}});
+      std::ranges::sort(tets_.back().vertices);
+    }
+  }
+
+  void collect_faces() {
+    for (const OpenTet& tet : tets_)
+      for (std::size_t k = 0; k < 4; ++k) faces_.push_back(face_of(tet, k));
+    tbb::parallel_sort(faces_);
+    faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
+    tbb::parallel_for(std::size_t{0}, tets_.size(), [&](std::size_t n) {
+      for (std::size_t k = 0; k < 4; ++k)
+        tets_[n].faces[k] = static_cast<std::uint32_t>(
+            std::ranges::lower_bound(faces_, face_of(tets_[n], k)) - faces_.begin());
+    });
+  }
+  static std::array<VertexId, 3> face_of(const OpenTet& tet, std::size_t opposite) {
+    std::array<VertexId, 3> face;
+    for (std::size_t i = 0; i < 3; ++i) face[i] = tet.vertices[i < opposite ? i : i + 1];
+    return face;
+  }
+
+  void isolate_points() {
+    points_.resize(faces_.size());
+    tbb::parallel_for(std::size_t{0}, faces_.size(), [&](std::size_t f) {
+      if (degenerate_features_missed(field_, faces_[f]) != kDegenerate)
+        points_[f] = isolate_degenerate_points(field_, faces_[f]);
+    });
+  }
+
+  void link_points() {
+    tbb::parallel_for(std::size_t{0}, tets_.size(), [&](std::size_t n) { link(tets_[n]); });
+  }
+  void link(OpenTet& tet) const {
+    std::vector<CellPoint> points;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const FacePoints& face = points_[tet.faces[k]];
+      if (face.obstacle != CurveObstacle::None) {
+        tet.arcs.obstacle = face.obstacle;
+        return;
+      }
+      for (const DegeneratePoint& p : face.points) {
+        CellPoint point{p.feature, p.axis, {}};
+        for (std::size_t i = 0; i < 3; ++i) point.place[i < k ? i : i + 1] = p.weights[i].middle();
+        points.push_back(point);
+      }
+    }
+    tet.arcs = link_degenerate_points(field_, tet.vertices, points);
+  }
+
+  const TensorField& input_;
+  const RefinedComplex& complex_;
+  const RefinableField& field_;
+  std::vector<OpenTet> tets_;                   // by id
+  std::vector<std::array<VertexId, 3>> faces_;  // of these, ascending
+  std::vector<FacePoints> points_;              // per face
+};
+
+}  // namespace
+
+DegenerateCurves find_degenerate_curves(const TensorField& input, const RefinedComplex& complex,
+                                        FeatureSet features, bool keep_tensors) {
+  features &= kDegenerate;
+  if (features == 0) return {};
+  return CurveSearch(input, complex).run(features, keep_tensors);
+}
+
+}  // namespace triplex
