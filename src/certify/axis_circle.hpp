@@ -3,12 +3,12 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 
 #include "degenerate_conic.hpp"
-#include "triplex/arithmetic/exact.hpp"
+#include "triplex/arithmetic/exact_range.hpp"
 #include "triplex/arithmetic/interval.hpp"
-#include "triplex/certify/node.hpp"
 
 namespace triplex {
 
@@ -16,9 +16,16 @@ namespace triplex {
 /// projective plane. From a point inside, every direction meets it once, so a direction (u, v) says
 /// where on the circle an axis is; turns count them from 0 to 4. Source: proofs/symmetric_curve.md.
 ///
-/// All members but the constructor's caller need an `IntervalRounding`.
+/// NT is `Interval`, with turns in doubles, for which all members but the constructor need an
+/// `IntervalRounding`; or `ExactRange`, with exact turns.
+template <class NT>
 class AxisCircle {
  public:
+  using Turn = std::conditional_t<std::is_same_v<NT, Interval>, double, Exact>;
+  struct TurnRange {
+    Turn lo, hi;
+  };
+
   /// `conic` vanishes on the axes; `place` are the forms of the barycentric coordinates.
   AxisCircle(const Conic<Exact>& conic, const std::array<Conic<Exact>, 4>& place);
 
@@ -27,32 +34,32 @@ class AxisCircle {
 
   /// The turn of an axis on the circle; nothing if it cannot be told. `view` turns the axes of
   /// (u, v), 0 <= view < kViews: another one helps where u or v is zero.
-  std::optional<Range> turn_of(const std::array<Range, 3>& axis, int view) const;
+  std::optional<TurnRange> turn_of(const std::array<ExactRange, 3>& axis, int view) const;
 
   /// The signs of the forms of place at a turn: all proven positive, or all negative, or two
   /// different ones, or that cannot be told.
   enum class Side : std::uint8_t { Unknown, Outside, AllPositive, AllNegative };
-  Side side_at(double turn, int view) const;
+  Side side_at(const Turn& turn, int view) const;
   /// Whether the direction that `side_at` takes for a turn lies strictly between two turns.
-  bool is_between(double turn, double low, double high) const;
+  bool is_between(const Turn& turn, const Turn& low, const Turn& high) const;
 
   /// The barycentric coordinates at a turn, in doubles.
-  std::array<double, 4> place_approx(double turn, int view) const;
+  std::array<double, 4> place_approx(const Turn& turn, int view) const;
 
   static constexpr int kViews = 3;
 
  private:
-  using Axis = Direction<Interval>;
-  Axis axis_at(double turn, int view) const;
-  std::array<Interval, 4> place_at(double turn, int view) const;
+  using Axis = Direction<NT>;
+  Axis axis_at(const Turn& turn, int view) const;
+  std::array<NT, 4> place_at(const Turn& turn, int view) const;
 
   bool usable_ = false;
-  Conic<Interval> conic_;
-  std::array<Conic<Interval>, 4> place_;
+  Conic<NT> conic_;
+  std::array<Conic<NT>, 4> place_;
   std::size_t k_ = 0;          // the largest entry of z
   std::array<double, 3> z_{};  // inside
   Axis w_;                     // conic times z
-  Interval value_;             // conic at z
+  NT value_;                   // conic at z
 };
 
 }  // namespace triplex

@@ -13,7 +13,6 @@
 namespace triplex {
 namespace {
 
-using Side = AxisCircle::Side;
 using Place = std::array<double, 4>;
 
 /// The column left out of the largest minor; nothing if all are zero.
@@ -31,32 +30,22 @@ std::optional<std::size_t> best_column_left_out(const std::array<Components<Exac
   return best;
 }
 
-/// The signs of the combination of the four tensors that vanishes, if it is unique.
-std::optional<std::array<Sign, 4>> kernel_signs(const std::array<Components<Exact>, 4>& m) {
-  for (std::size_t a = 0; a < 5; ++a)
-    for (std::size_t b = a + 1; b < 5; ++b)
-      for (std::size_t c = b + 1; c < 5; ++c) {
-        std::array<Sign, 4> s;
-        for (std::size_t i = 0; i < 4; ++i) {
-          const Sign minor = sign(minor_of(without(m, i), {a, b, c}));
-          s[i] = i % 2 == 0 ? minor : -minor;
-        }
-        if (std::ranges::any_of(s, [](Sign x) { return x != Sign::Zero; })) return s;
-      }
-  return std::nullopt;
-}
-
-/// Points in order along the circle of axes, and whether the tet is inside after the first one.
-struct CircularOrder {
-  std::vector<int> points;
-  std::vector<Range> turns;
-  int view = 0;
-  bool inside_after_first = false;
-  bool goes_around(std::size_t n) const { return n + 1 == points.size(); }
-};
-
 /// The field in one tet, with four independent tensors.
+template <class NT>
 class CellLink {
+  using Circle = AxisCircle<NT>;
+  using Side = typename Circle::Side;
+  using Turn = typename Circle::Turn;
+
+  /// Points in order along the circle of axes, and whether the tet is inside after the first one.
+  struct CircularOrder {
+    std::vector<int> points;
+    std::vector<typename Circle::TurnRange> turns;
+    int view = 0;
+    bool inside_after_first = false;
+    bool goes_around(std::size_t n) const { return n + 1 == points.size(); }
+  };
+
  public:
   CellLink(const std::array<Components<Exact>, 4>& m, std::size_t left_out,
            std::span<const CellPoint> points)
@@ -93,14 +82,14 @@ class CellLink {
     constexpr int kSamples = 16;
     if (!circle_->usable()) return {{}, CurveObstacle::FlatCell};
     for (int n = 0; n < kSamples; ++n) {
-      const Side side = circle_->side_at((n + 0.35) * 4 / kSamples, 0);
+      const Side side = circle_->side_at(Turn((n + 0.35) * 4 / kSamples), 0);
       if (side == Side::Outside) return {};
       if (side == Side::Unknown) continue;
       const Sign place = side == Side::AllPositive ? Sign::Positive : Sign::Negative;
       DegenerateArc loop{feature_of(place), -1, -1, {}};
       constexpr int kCorners = 8;
       for (int c = 0; c < kCorners; ++c) {
-        const double low = 4.0 * c / kCorners, high = 4.0 * (c + 1) / kCorners;
+        const Turn low(4.0 * c / kCorners), high(4.0 * (c + 1) / kCorners);
         const Place a = circle_->place_approx(low, 0), b = circle_->place_approx(high, 0);
         loop.inside.push_back(a);
         add_between(low, a, high, b, 0, kMostHalvings, loop.inside);
@@ -115,13 +104,13 @@ class CellLink {
   }
 
   std::optional<CircularOrder> order_points() const {
-    for (int view = 0; view < AxisCircle::kViews; ++view)
+    for (int view = 0; view < Circle::kViews; ++view)
       if (auto order = order_points(view)) return order;
     return std::nullopt;
   }
 
   std::optional<CircularOrder> order_points(int view) const {
-    std::vector<Range> turns;
+    std::vector<typename Circle::TurnRange> turns;
     for (const CellPoint& p : points_) {
       const auto turn = circle_->turn_of(p.axis, view);
       if (!turn) return std::nullopt;
@@ -135,7 +124,7 @@ class CellLink {
                       [&](int n) { return turns[static_cast<std::size_t>(n)].lo; });
     for (const int n : order.points) order.turns.push_back(turns[static_cast<std::size_t>(n)]);
     for (std::size_t n = 0; n + 1 < order.turns.size(); ++n)
-      if (order.turns[n].meets(order.turns[n + 1])) return std::nullopt;
+      if (!(order.turns[n].hi < order.turns[n + 1].lo)) return std::nullopt;
     if (!find_inside(order)) return std::nullopt;
     return order;
   }
@@ -144,8 +133,8 @@ class CellLink {
   bool find_inside(CircularOrder& order) const {
     for (const double part : {0.5, 0.3, 0.7})
       for (std::size_t n = 0; n < order.points.size(); ++n) {
-        const double low = order.turns[n].hi, high = end_of_gap(order, n);
-        const double turn = low + part * (high - low);
+        const Turn low = order.turns[n].hi, high = end_of_gap(order, n);
+        const Turn turn = low + Turn(part) * (high - low);
         if (!circle_->is_between(turn, low, high)) continue;
         const Side side = circle_->side_at(turn, order.view);
         if (side == Side::Unknown) continue;
@@ -154,8 +143,8 @@ class CellLink {
       }
     return false;
   }
-  static double end_of_gap(const CircularOrder& order, std::size_t n) {
-    return order.goes_around(n) ? order.turns[0].lo + 4 : order.turns[n + 1].lo;
+  static Turn end_of_gap(const CircularOrder& order, std::size_t n) {
+    return order.goes_around(n) ? order.turns[0].lo + Turn(4) : order.turns[n + 1].lo;
   }
 
   DegenerateArc arc(const CircularOrder& order, std::size_t n) const {
@@ -170,10 +159,10 @@ class CellLink {
   }
 
   /// Points that make the chords leave the curve by less than a part of the tet.
-  void add_between(double low, const Place& a, double high, const Place& b, int view, int halvings,
-                   std::vector<Place>& out) const {
+  void add_between(const Turn& low, const Place& a, const Turn& high, const Place& b, int view,
+                   int halvings, std::vector<Place>& out) const {
     constexpr double kDeviation = 0.005;
-    const double turn = low + (high - low) / 2;
+    const Turn turn = low + Turn(0.5) * (high - low);
     const Place middle = circle_->place_approx(turn, view);
     double deviation = 0;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -189,24 +178,49 @@ class CellLink {
   static constexpr int kMostHalvings = 5;
   std::span<const CellPoint> points_;
   Sign sign_of_minor_ = Sign::Zero;
-  std::optional<AxisCircle> circle_;
+  std::optional<Circle> circle_;
 };
 
-/// Four tensors that span three dimensions: the degenerate points are on straight lines through
-/// one point, perhaps at infinity. If that is outside, every line crosses the boundary twice.
-CellArcs link_lines(const std::array<Components<Exact>, 4>& m, std::span<const CellPoint> points) {
-  const auto signs = kernel_signs(m);
-  if (!signs) return {{}, CurveObstacle::FlatCell};
-  if (std::ranges::count(*signs, Sign::Positive) == 0 ||
-      std::ranges::count(*signs, Sign::Negative) == 0)
-    return {{}, CurveObstacle::TriplePoint};
-  if (points.empty()) return {};
-  if (points.size() != 2 || points[0].feature != points[1].feature)
-    return {{}, CurveObstacle::FlatCell};
-  return {{{points[0].feature, 0, 1, {}}}, CurveObstacle::None};
+/// Proves that no tensor of the tet is zero: all lie on one side of a plane.
+bool misses_zero(const std::array<Components<Exact>, 4>& m) {
+  Components<Exact> sum;
+  for (const auto& a : m)
+    for (std::size_t k = 0; k < 5; ++k) sum[k] = sum[k] + a[k];
+  return std::ranges::all_of(m, [&](const auto& a) {
+    Exact product;
+    for (std::size_t k = 0; k < 5; ++k) product = product + a[k] * sum[k];
+    return sign(product) == Sign::Positive;
+  });
 }
 
-[[gnu::noinline]] CellArcs run_in_intervals(CellLink& link) {
+/// Four tensors that span three dimensions at most, without zero: the degenerate points make up
+/// lines (or more) on each of which the tensors are multiples of one. Each that meets the tet
+/// leaves it through two faces, where the axes are equal.
+CellArcs link_lines(const std::array<Components<Exact>, 4>& m, std::span<const CellPoint> points) {
+  if (!misses_zero(m)) return {{}, CurveObstacle::FlatCell};
+  const auto may_be_equal = [&](const CellPoint& a, const CellPoint& b) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const ExactRange x = a.axis[i] * b.axis[j] - a.axis[j] * b.axis[i];
+      if (sign(x.lo) == Sign::Positive || sign(x.hi) == Sign::Negative) return false;
+    }
+    return true;
+  };
+  CellArcs result;
+  for (std::size_t a = 0; a < points.size(); ++a) {
+    std::vector<std::size_t> equal;
+    for (std::size_t b = 0; b < points.size(); ++b)
+      if (b != a && may_be_equal(points[a], points[b])) equal.push_back(b);
+    if (equal.size() != 1 || points[equal[0]].feature != points[a].feature)
+      return {{}, CurveObstacle::Order};
+    if (a < equal[0])
+      result.arcs.push_back(
+          {points[a].feature, static_cast<int>(a), static_cast<int>(equal[0]), {}});
+  }
+  return result;
+}
+
+[[gnu::noinline]] CellArcs run_in_intervals(CellLink<Interval>& link) {
   const IntervalRounding protect;
   return link.run();
 }
@@ -215,12 +229,14 @@ CellArcs link_lines(const std::array<Components<Exact>, 4>& m, std::span<const C
 
 CellArcs link_degenerate_points(const RefinableField& field,
                                 const std::array<VertexId, 4>& vertices,
-                                std::span<const CellPoint> points) {
+                                std::span<const CellPoint> points, Shift shift,
+                                AxisPrecision precision) {
   if (points.size() % 2 != 0) return {{}, CurveObstacle::Order};
-  const auto m = exact_components(field, vertices);
+  const auto m = exact_components(field, vertices, shift);
   const auto left_out = best_column_left_out(m);
   if (!left_out) return link_lines(m, points);
-  CellLink link(m, *left_out, points);
+  if (precision == AxisPrecision::High) return CellLink<ExactRange>(m, *left_out, points).run();
+  CellLink<Interval> link(m, *left_out, points);
   return run_in_intervals(link);
 }
 

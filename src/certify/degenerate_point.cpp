@@ -10,13 +10,11 @@
 #include "face_pencil.hpp"
 #include "root_enclosure.hpp"
 #include "triplex/arithmetic/exact_conversion.hpp"
-#include "triplex/arithmetic/infinitesimal.hpp"
 #include "triplex/arithmetic/root_isolation.hpp"
 
 namespace triplex {
 namespace {
 
-using FirstOrder = Series<2>;
 using Signs = std::array<Sign, 3>;
 
 /// The columns with the largest minor; nothing if all are zero.
@@ -80,27 +78,6 @@ std::array<IntegerPolynomial, N> polynomials_of(const std::array<Quartic<Exact>,
   return r;
 }
 
-IntegerPolynomial product(const IntegerPolynomial& a, const IntegerPolynomial& b) {
-  if (a.empty() || b.empty()) return {};
-  IntegerPolynomial r(a.size() + b.size() - 1);
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j) r[i + j] += a[i] * b[j];
-  return r;
-}
-IntegerPolynomial difference(IntegerPolynomial a, const IntegerPolynomial& b) {
-  a.resize(std::max(a.size(), b.size()));
-  for (std::size_t i = 0; i < b.size(); ++i) a[i] -= b[i];
-  while (!a.empty() && sgn(a.back()) == 0) a.pop_back();
-  return a;
-}
-
-template <std::size_t D>
-std::array<Exact, D> coefficients(const std::array<FirstOrder, D>& c, int order) {
-  std::array<Exact, D> r;
-  for (std::size_t k = 0; k < D; ++k) r[k] = c[k].coefficient(order);
-  return r;
-}
-
 bool have_both_signs(const Signs& signs) {
   return std::ranges::count(signs, Sign::Positive) > 0 &&
          std::ranges::count(signs, Sign::Negative) > 0;
@@ -109,17 +86,16 @@ bool have_both_signs(const Signs& signs) {
 /// The search on one face.
 class FaceSearch {
  public:
-  FaceSearch(const RefinableField& field, const std::array<VertexId, 3>& vertices)
-      : tensors_(exact_components(field, vertices)) {}
+  FaceSearch(const std::array<Components<Exact>, 3>& tensors, AxisPrecision precision)
+      : tensors_(tensors), precision_(precision) {}
 
   FacePoints run() {
     const auto columns = best_columns(tensors_);
     if (!columns) return {{}, CurveObstacle::FlatFace};
     const auto choice = choose(tensors_, *columns);
     if (!choice) return {{}, CurveObstacle::Pencil};
-    choice_ = *choice;
     sign_of_minor_ = sign(minor_of(tensors_, *columns));
-    pencil_ = pencil_of(tensors_, choice_);
+    pencil_ = pencil_of(tensors_, *choice);
     for (int chart = 0; chart < 2 && result_.obstacle == CurveObstacle::None; ++chart)
       search(chart);
     if (result_.obstacle != CurveObstacle::None) result_.points.clear();
@@ -133,44 +109,26 @@ class FaceSearch {
     if (roots.roots().empty()) return;
     const auto place = polynomials_of(pencil_.place, chart);
     for (std::size_t r = 0; r < roots.roots().size(); ++r) {
-      const auto signs = signs_at(roots, r, place, chart);
+      const auto signs = signs_at(roots, r, place);
       if (result_.obstacle != CurveObstacle::None) return;
-      if (signs && !have_both_signs(*signs)) add(roots, r, chart, signs->front());
+      if (signs) add(roots, r, chart, signs->front());
     }
   }
 
-  /// The signs of the forms of place at a root, for the perturbed field where they are zero;
-  /// nothing if the point is outside the face or an obstacle was met.
+  /// The signs of the forms of place at a root; nothing if the point is outside the face or an
+  /// obstacle was met.
   std::optional<Signs> signs_at(RootIsolation& roots, std::size_t r,
-                                const std::array<IntegerPolynomial, 3>& place, int chart) {
+                                const std::array<IntegerPolynomial, 3>& place) {
     Signs signs;
     for (std::size_t i = 0; i < 3; ++i) signs[i] = roots.sign_at_root(place[i], r);
     if (have_both_signs(signs)) return std::nullopt;
-    if (roots.roots()[r].multiplicity > 1) {
+    if (roots.roots()[r].multiplicity > 1)
       result_.obstacle = CurveObstacle::Tangency;
-      return std::nullopt;
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-      if (signs[i] == Sign::Zero) signs[i] = perturbed_sign(roots, r, i, chart);
-    if (have_both_signs(signs)) return std::nullopt;
-    if (std::ranges::count(signs, Sign::Zero) > 0) {
+    else if (std::ranges::count(signs, Sign::Zero) > 0)
       result_.obstacle = CurveObstacle::Boundary;
-      return std::nullopt;
-    }
-    return signs;
-  }
-
-  /// Of g + eps g_1 at the root of f + eps f_1 near a simple root of f where g vanishes: that of
-  /// g_1 - g' f_1 / f'.
-  Sign perturbed_sign(RootIsolation& roots, std::size_t r, std::size_t i, int chart) {
-    if (!perturbed_) perturbed_ = pencil_of(first_order(tensors_), choice_);
-    const Quartic<FirstOrder>&f = perturbed_->f, &g = perturbed_->place[i];
-    const auto p = polynomials_of<2>({coefficients(f, 0), coefficients(f, 1)}, chart);
-    const auto q = polynomials_of<2>({coefficients(g, 0), coefficients(g, 1)}, chart);
-    const IntegerPolynomial slope = derivative(p[0]);
-    const IntegerPolynomial h = difference(product(q[1], slope), product(derivative(q[0]), p[1]));
-    if (h.empty()) return Sign::Zero;
-    return roots.sign_at_root(h, r) * roots.sign_at_root(slope, r);
+    else
+      return signs;
+    return std::nullopt;
   }
 
   /// The enclosures of a point inside.
@@ -192,13 +150,16 @@ class FaceSearch {
       return f;
     };
     const auto place = forms(0, 5), axis = forms(15, 3);
-    constexpr unsigned kFirstBits = 80, kMostBits = 2560;
-    constexpr double kPrecision = 0x1p-44;
-    for (unsigned bits = kFirstBits; bits <= kMostBits; bits *= 2) {
+    const bool high = precision_ == AxisPrecision::High;
+    constexpr unsigned kMostBits = 5120;
+    constexpr int kOfWeights = -44;
+    for (unsigned bits = high ? 640 : 80; bits <= kMostBits; bits *= 2) {
       roots.refine(r, bits);
       const auto weights = shares(enclosures(place, roots.roots()[r]));
       const auto n = enclosures(axis, roots.roots()[r]);
-      if (weights.empty() || !are_narrow(weights, kPrecision) || !are_narrow(n, kPrecision))
+      if (weights.empty() || !are_narrow(n, high ? -400 : -44)) continue;
+      if (std::ranges::any_of(
+              weights, [](const Range& x) { return x.hi - x.lo > std::ldexp(1.0, kOfWeights); }))
         continue;
       const bool planar = place_sign * sign_of_minor_ == Sign::Positive;
       result_.points.push_back({planar ? Feature::DegeneratePlanar : Feature::DegenerateLinear,
@@ -209,21 +170,21 @@ class FaceSearch {
     result_.obstacle = CurveObstacle::Resolution;
   }
 
-  /// Widths at most this part of the largest magnitude.
-  static bool are_narrow(const std::vector<Range>& ranges, double part) {
-    double width = 0, size = 0;
-    for (const Range& r : ranges) {
-      width = std::max(width, r.hi - r.lo);
-      size = std::max({size, std::fabs(r.lo), std::fabs(r.hi)});
+  /// Widths below 2^exponent times the power of two above the largest magnitude.
+  static bool are_narrow(const std::vector<ExactRange>& ranges, int exponent) {
+    std::vector<Exact> widths, ends;
+    for (const ExactRange& r : ranges) {
+      widths.push_back(r.hi - r.lo);
+      ends.insert(ends.end(), {r.lo, r.hi});
     }
-    return width <= part * size;
+    const bool exact = std::ranges::all_of(widths, [](const Exact& w) { return w.is_zero(); });
+    return exact || common_exponent(widths) <= exponent + common_exponent(ends);
   }
 
   std::array<Components<Exact>, 3> tensors_;
-  PencilChoice choice_;
+  AxisPrecision precision_;
   Sign sign_of_minor_ = Sign::Zero;
   FacePencil<Exact> pencil_;
-  std::optional<FacePencil<FirstOrder>> perturbed_;
   FacePoints result_;
 };
 
@@ -245,24 +206,16 @@ std::string_view describe(CurveObstacle obstacle) {
       return "degenerate points too close to tell apart";
     case CurveObstacle::FlatCell:
       return "tensors in the tet that do not span four dimensions";
-    case CurveObstacle::TriplePoint:
-      return "a point with three equal eigenvalues";
     case CurveObstacle::Order:
       return "the order of the points along a degenerate curve";
   }
   return "";
 }
 
-Tensor<Exact> symmetric_perturbation() {
-  constexpr std::array<std::size_t, 9> kUpper = {0, 1, 2, 1, 4, 5, 2, 5, 8};
-  Tensor<Exact> b;
-  for (std::size_t k = 0; k < 9; ++k) b[k] = Exact(kPerturbation[kUpper[k]]);
-  return triple_deviator(b);
-}
-
 FacePoints isolate_degenerate_points(const RefinableField& field,
-                                     const std::array<VertexId, 3>& vertices) {
-  return FaceSearch(field, vertices).run();
+                                     const std::array<VertexId, 3>& vertices, Shift shift,
+                                     AxisPrecision precision) {
+  return FaceSearch(exact_components(field, vertices, shift), precision).run();
 }
 
 }  // namespace triplex

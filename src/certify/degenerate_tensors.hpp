@@ -15,35 +15,55 @@
 
 namespace triplex {
 
-/// The exact tripled deviators at some vertices, scaled together so that the largest entry is about
-/// one: forms of high degree in them then fit doubles.
-template <std::size_t N>
-std::array<Components<Exact>, N> exact_components(const RefinableField& field,
-                                                  const std::array<VertexId, N>& vertices) {
-  std::array<Components<Exact>, N> m;
-  int exponent = -10000;
-  for (std::size_t i = 0; i < N; ++i) {
-    m[i] = components_of(field.exact(vertices[i]));
-    for (const Exact& x : m[i])
-      if (!x.is_zero()) exponent = std::max(exponent, binary_exponent(x));
-  }
-  if (exponent == -10000) return m;
-  // In two steps: denormals need more than one double can hold.
-  const Exact half(std::ldexp(1.0, -(exponent / 2))),
-      rest(std::ldexp(1.0, -(exponent - exponent / 2)));
-  for (auto& a : m)
-    for (Exact& x : a) x = x * half * rest;
-  return m;
+/// x 2^exponent, which may be out of the range of one double.
+inline Exact times_power_of_two(Exact x, int exponent) {
+  for (; exponent > 1000; exponent -= 1000) x = x * Exact(0x1p1000);
+  for (; exponent < -1000; exponent += 1000) x = x * Exact(0x1p-1000);
+  return x * Exact(std::ldexp(1.0, exponent));
 }
 
-/// The same tensors for T + eps B.
+/// The exponent of the power of two above the largest of some numbers; 0 if all are zero.
+template <class Numbers>
+int common_exponent(const Numbers& numbers) {
+  bool any = false;
+  int exponent = 0;
+  for (const Exact& x : numbers) {
+    if (x.is_zero()) continue;
+    exponent = any ? std::max(exponent, binary_exponent(x)) : binary_exponent(x);
+    any = true;
+  }
+  return exponent;
+}
+
+/// delta times the tripled deviator of B, in the units of the input.
+inline Components<Exact> shift_of(const RefinableField& field) {
+  constexpr std::array<std::size_t, 9> kUpper = {0, 1, 2, 1, 4, 5, 2, 5, 8};
+  Tensor<Exact> b;
+  for (std::size_t k = 0; k < 9; ++k) b[k] = Exact(kPerturbation[kUpper[k]]);
+  Components<Exact> c = components_of(triple_deviator(b));
+  for (Exact& x : c) x = times_power_of_two(x, kShiftExponent - field.scale_exponent());
+  return c;
+}
+
+/// The exact tripled deviators of T, or of T + delta B, at some vertices, scaled together so that
+/// the largest entry is about one: forms of high degree in them then fit doubles.
 template <std::size_t N>
-std::array<Components<Series<2>>, N> first_order(const std::array<Components<Exact>, N>& m) {
-  const Components<Exact> b = components_of(symmetric_perturbation());
-  std::array<Components<Series<2>>, N> r;
-  for (std::size_t i = 0; i < N; ++i)
-    for (std::size_t k = 0; k < 5; ++k) r[i][k] = Series<2>(m[i][k], b[k]);
-  return r;
+std::array<Components<Exact>, N> exact_components(const RefinableField& field,
+                                                  const std::array<VertexId, N>& vertices,
+                                                  Shift shift) {
+  std::array<Components<Exact>, N> m;
+  Components<Exact> b;
+  if (shift == Shift::General) b = shift_of(field);
+  std::array<int, N> exponents;
+  for (std::size_t i = 0; i < N; ++i) {
+    m[i] = components_of(field.exact(vertices[i]));
+    for (std::size_t k = 0; k < 5; ++k) m[i][k] = m[i][k] + b[k];
+    exponents[i] = common_exponent(m[i]);
+  }
+  const int exponent = *std::ranges::max_element(exponents);
+  for (auto& a : m)
+    for (Exact& x : a) x = times_power_of_two(x, -exponent);
+  return m;
 }
 
 }  // namespace triplex

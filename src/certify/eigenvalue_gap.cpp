@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "triplex/certify/degenerate_point.hpp"
+
 namespace triplex {
 namespace {
 
@@ -156,6 +158,8 @@ FeatureSet degenerate_features_missed(const RefinableField& field,
     part.tensors[i] = v.a;
     part.bounds.include(v.bounds);
   }
+  // Entries of triple deviators of B are below 2^12; so both fields are enclosed.
+  part.bounds.error += std::ldexp(1.0, kShiftExponent + 12);
   if (!part.bounds.usable()) return 0;
   return missed_after_bisections(
       part, bit(Feature::DegenerateLinear) | bit(Feature::DegeneratePlanar), kMostBisections);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "degenerate_tensors.hpp"
+#include "triplex/arithmetic/exact_conversion.hpp"
 #include "triplex/arithmetic/interval.hpp"
 
 namespace triplex {
@@ -40,25 +42,17 @@ long exponent_of(const mpz_class& x) {
   return sgn(x) == 0 ? 0 : static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2));
 }
 
-/// x 2^-shift, rounded downwards (`towards` negative) or upwards. The mantissa is cut off, by less
-/// than its last place; the product may be rounded once more, where it is no normal double.
-double rounded(const mpz_class& x, long shift, double towards) {
-  if (sgn(x) == 0) return 0;
-  signed long exponent = 0;
-  const double mantissa = mpz_get_d_2exp(&exponent, x.get_mpz_t());
-  const auto scaled = std::ldexp(std::nextafter(mantissa, towards),
-                                 static_cast<int>(std::max(exponent - shift, -2000L)));
-  return std::nextafter(scaled, towards);
-}
-
-[[gnu::noinline]] std::vector<Range> shares_in_intervals(std::span<const Range> x) {
+[[gnu::noinline]] std::vector<Range> shares_in_intervals(std::span<const ExactRange> x) {
   const IntervalRounding protect;
+  const auto rounded = [](const ExactRange& r) {
+    return Interval(CGAL::to_interval(r.lo).first, CGAL::to_interval(r.hi).second);
+  };
   Interval sum(0.0);
-  for (const Range& r : x) sum = sum + Interval(r.lo, r.hi);
+  for (const ExactRange& r : x) sum = sum + rounded(r);
   std::vector<Range> result;
   if (!(sum.inf() > 0 || sum.sup() < 0)) return result;
-  for (const Range& r : x) {
-    const Interval share = Interval(r.lo, r.hi) / sum;
+  for (const ExactRange& r : x) {
+    const Interval share = rounded(r) / sum;
     result.push_back({share.inf(), share.sup()});
   }
   return result;
@@ -66,20 +60,21 @@ double rounded(const mpz_class& x, long shift, double towards) {
 
 }  // namespace
 
-std::vector<Range> enclosures(std::span<const std::vector<mpz_class>> forms,
-                              const RootInterval& interval) {
+std::vector<ExactRange> enclosures(std::span<const std::vector<mpz_class>> forms,
+                                   const RootInterval& interval) {
   std::vector<IntegerRange> integers;
   long shift = std::numeric_limits<long>::min();
   for (const auto& form : forms) {
     integers.push_back(enclosure(form, interval));
     shift = std::max({shift, exponent_of(integers.back().lo), exponent_of(integers.back().hi)});
   }
-  std::vector<Range> result;
+  std::vector<ExactRange> result;
   for (const IntegerRange& r : integers)
-    result.push_back({rounded(r.lo, shift, -HUGE_VAL), rounded(r.hi, shift, HUGE_VAL)});
+    result.push_back({times_power_of_two(to_exact(r.lo), static_cast<int>(-shift)),
+                      times_power_of_two(to_exact(r.hi), static_cast<int>(-shift))});
   return result;
 }
 
-std::vector<Range> shares(std::span<const Range> x) { return shares_in_intervals(x); }
+std::vector<Range> shares(std::span<const ExactRange> x) { return shares_in_intervals(x); }
 
 }  // namespace triplex

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "triplex/arithmetic/exact_range.hpp"
 #include "triplex/arithmetic/root_isolation.hpp"
 #include "triplex/certify/node.hpp"
 
@@ -15,11 +16,11 @@ namespace triplex {
 /// Encloses forms in (1 - t, t) on an interval of t in [0, 1]. Shape: each form by its integer
 /// coefficients of (1 - t)^d, (1 - t)^(d-1) t, ..., t^d; one enclosure per form, all scaled by the
 /// same power of two, the largest to about one.
-std::vector<Range> enclosures(std::span<const std::vector<mpz_class>> forms,
-                              const RootInterval& interval);
+std::vector<ExactRange> enclosures(std::span<const std::vector<mpz_class>> forms,
+                                   const RootInterval& interval);
 
 /// x_i / (x_0 + x_1 + x_2), for numbers of which the sum is not zero. Nothing if that is not
 /// proven.
-std::vector<Range> shares(std::span<const Range> x);
+std::vector<Range> shares(std::span<const ExactRange> x);
 
 }  // namespace triplex

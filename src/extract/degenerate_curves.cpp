@@ -7,6 +7,7 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "curve_mesh.hpp"
 #include "triplex/certify/eigenvalue_gap.hpp"
@@ -26,12 +27,13 @@ class CurveSearch {
   DegenerateCurves run(FeatureSet features, bool keep_tensors) {
     exclude_tets();
     collect_faces();
-    isolate_points();
-    link_points();
     DegenerateCurves result;
+    if (!decide(Shift::None)) {
+      result.shift = Shift::General;
+      decide(Shift::General);
+    }
     CurveMeshBuilder builder(input_, complex_, faces_, points_, keep_tensors);
-    for (std::size_t n = 0; n < tets_.size(); ++n) {
-      const OpenTet& tet = tets_[n];
+    for (const OpenTet& tet : tets_) {
       if (tet.arcs.obstacle == CurveObstacle::None)
         builder.add(tet.id, tet.vertices, tet.faces, tet.arcs.arcs);
       else if ((tet.open & features) != 0)
@@ -89,32 +91,49 @@ class CurveSearch {
     return face;
   }
 
-  void isolate_points() {
-    points_.resize(faces_.size());
+  /// Points on faces, then arcs; false if the field is not in general position somewhere.
+  bool decide(Shift shift) {
+    points_.assign(faces_.size(), {});
+    std::atomic<bool> general = true;
+    // Without a shift, the first obstacle ends it.
+    const auto go_on = [&] { return shift == Shift::General || general.load(); };
     tbb::parallel_for(std::size_t{0}, faces_.size(), [&](std::size_t f) {
-      if (degenerate_features_missed(field_, faces_[f]) != kDegenerate)
-        points_[f] = isolate_degenerate_points(field_, faces_[f]);
+      if (!go_on() || degenerate_features_missed(field_, faces_[f]) == kDegenerate) return;
+      points_[f] = isolate_degenerate_points(field_, faces_[f], shift);
+      if (points_[f].obstacle != CurveObstacle::None) general = false;
     });
+    tbb::parallel_for(std::size_t{0}, tets_.size(), [&](std::size_t n) {
+      if (!go_on()) return;
+      tets_[n].arcs = arcs_in(tets_[n], shift);
+      if (tets_[n].arcs.obstacle != CurveObstacle::None) general = false;
+    });
+    return general;
   }
-
-  void link_points() {
-    tbb::parallel_for(std::size_t{0}, tets_.size(), [&](std::size_t n) { link(tets_[n]); });
-  }
-  void link(OpenTet& tet) const {
+  CellArcs arcs_in(const OpenTet& tet, Shift shift) const {
     std::vector<CellPoint> points;
     for (std::size_t k = 0; k < 4; ++k) {
       const FacePoints& face = points_[tet.faces[k]];
-      if (face.obstacle != CurveObstacle::None) {
-        tet.arcs.obstacle = face.obstacle;
-        return;
-      }
-      for (const DegeneratePoint& p : face.points) {
-        CellPoint point{p.feature, p.axis, {}};
-        for (std::size_t i = 0; i < 3; ++i) point.place[i < k ? i : i + 1] = p.weights[i].middle();
-        points.push_back(point);
-      }
+      if (face.obstacle != CurveObstacle::None) return {{}, face.obstacle};
+      add_points(face, k, points);
     }
-    tet.arcs = link_degenerate_points(field_, tet.vertices, points);
+    CellArcs arcs = link_degenerate_points(field_, tet.vertices, points, shift);
+    if (arcs.obstacle != CurveObstacle::Order) return arcs;
+    points.clear();
+    for (std::size_t k = 0; k < 4; ++k)
+      if (!points_[tet.faces[k]].points.empty())
+        add_points(
+            isolate_degenerate_points(field_, faces_[tet.faces[k]], shift, AxisPrecision::High), k,
+            points);
+    return link_degenerate_points(field_, tet.vertices, points, shift, AxisPrecision::High);
+  }
+  static void add_points(const FacePoints& face, std::size_t opposite,
+                         std::vector<CellPoint>& points) {
+    for (const DegeneratePoint& p : face.points) {
+      CellPoint point{p.feature, p.axis, {}};
+      for (std::size_t i = 0; i < 3; ++i)
+        point.place[i < opposite ? i : i + 1] = p.weights[i].middle();
+      points.push_back(point);
+    }
   }
 
   const TensorField& input_;

@@ -13,8 +13,8 @@ namespace triplex {
 /// A degenerate point on the boundary of a tet.
 struct CellPoint {
   Feature feature = Feature::DegenerateLinear;
-  std::array<Range, 3> axis;    ///< as `DegeneratePoint`
-  std::array<double, 4> place;  ///< barycentric coordinates in the tet, rounded
+  std::array<ExactRange, 3> axis;  ///< as `DegeneratePoint`
+  std::array<double, 4> place;     ///< barycentric coordinates in the tet, rounded
 };
 
 /// An arc of a degenerate curve in a tet, from one boundary point to another, or a closed curve.
@@ -31,11 +31,12 @@ struct CellArcs {
 
 /// How degenerate points on the faces of a tet of symmetric tensors are joined inside it.
 /// Guarantee: the degenerate curves in the tet are the arcs, up to a homeomorphism that keeps their
-/// ends, and there are no others; where points were decided for T + eps B, so are the arcs.
-/// \pre `points` are all the points of the four faces. The result does not depend on the order of
+/// ends, and there are no others. \pre `points` are all the points of the four faces, for the same
+/// shift and precision. The result does not depend on the order of
 /// the vertices. Source: proofs/symmetric_curve.md.
 CellArcs link_degenerate_points(const RefinableField& field,
                                 const std::array<VertexId, 4>& vertices,
-                                std::span<const CellPoint> points);
+                                std::span<const CellPoint> points, Shift shift,
+                                AxisPrecision precision = AxisPrecision::Double);
 
 }  // namespace triplex

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "triplex/arithmetic/exact_range.hpp"
 #include "triplex/certify/node.hpp"
 #include "triplex/feature/feature.hpp"
 #include "triplex/field/refinable_field.hpp"
@@ -17,38 +18,43 @@ namespace triplex {
 /// face there, transversally.
 struct DegeneratePoint {
   Feature feature = Feature::DegenerateLinear;
-  std::array<Range, 3> weights;  ///< enclosures of the barycentric coordinates
-  std::array<Range, 3> axis;     ///< enclosures of n, with some length
+  std::array<Range, 3> weights;    ///< enclosures of the barycentric coordinates
+  std::array<ExactRange, 3> axis;  ///< enclosures of n, with some length
 };
 
 /// Why the degenerate points of a face or the arcs in a tet are not known.
 enum class CurveObstacle : std::uint8_t {
   None,
-  FlatFace,     ///< the tensors on the face do not span three dimensions
-  Pencil,       ///< a curve of degenerate points may lie in the face
-  Tangency,     ///< a multiple point in the face or at its boundary
-  Boundary,     ///< on an edge or a vertex, also for the perturbed field to first order
-  Resolution,   ///< points too close to tell apart
-  FlatCell,     ///< the tensors in the tet do not span four dimensions
-  TriplePoint,  ///< a point with three equal eigenvalues
-  Order,        ///< the order of the points along the curve could not be proven
+  FlatFace,    ///< the tensors on the face do not span three dimensions
+  Pencil,      ///< a curve of degenerate points may lie in the face
+  Tangency,    ///< a multiple point in the face or at its boundary
+  Boundary,    ///< a point on an edge or at a vertex
+  Resolution,  ///< points too close to tell apart
+  FlatCell,    ///< the tensors in the tet do not span four dimensions
+  Order,       ///< the order of the points along the curve could not be proven
 };
 std::string_view describe(CurveObstacle obstacle);
+
+/// Which field is meant: T as it is, or T + delta B in general position, with the symmetric tensor
+/// B of the upper triangle of `kPerturbation` and the number delta = 2^-96, in units of the power
+/// of two above the largest entry of the field (`RefinableField::scale_exponent`).
+enum class Shift : std::uint8_t { None, General };
+inline constexpr int kShiftExponent = -96;
 
 struct FacePoints {
   std::vector<DegeneratePoint> points;
   CurveObstacle obstacle = CurveObstacle::None;  ///< if any, no points are known
 };
 
-/// All degenerate points in a face of symmetric tensors, at most four.
-/// Guarantee: each is one and no other is, inside the open face; where a point lies exactly on an
-/// edge or at a vertex, the side is that of T + eps B, B = `symmetric_perturbation()`, from every
-/// face alike. The result depends on the face only, with its vertices in ascending order.
-/// Exact arithmetic. Source: proofs/symmetric_curve.md.
-FacePoints isolate_degenerate_points(const RefinableField& field,
-                                     const std::array<VertexId, 3>& vertices);
+/// How narrow the enclosures of axes are: relative to their length, 2^-44 or 2^-400.
+enum class AxisPrecision : std::uint8_t { Double, High };
 
-/// The direction of the perturbation of symmetric fields: the upper triangle of `kPerturbation`.
-Tensor<Exact> symmetric_perturbation();
+/// All degenerate points in a face of symmetric tensors, at most four.
+/// Guarantee: each is one and no other is, in the closed face; all lie inside and are simple. The
+/// result depends on the face only, with its vertices in ascending order. Exact arithmetic.
+/// Source: proofs/symmetric_curve.md.
+FacePoints isolate_degenerate_points(const RefinableField& field,
+                                     const std::array<VertexId, 3>& vertices, Shift shift,
+                                     AxisPrecision precision = AxisPrecision::Double);
 
 }  // namespace triplex

@@ -10,9 +10,9 @@ namespace triplex {
 /// without tets.
 bool is_symmetric(const TensorField& field);
 
-/// Replaces every tensor by its symmetric part. The mean of two entries that differ is rounded once,
-/// to the nearest double; what was symmetric stays as it is, to the bit.
-/// Guarantee: `is_symmetric` holds afterwards, if there are tets.
+/// Replaces every tensor by its symmetric part. The mean of two entries that differ is rounded
+/// once, to the nearest double; what was symmetric stays as it is, to the bit. Guarantee:
+/// `is_symmetric` holds afterwards, if there are tets.
 void take_symmetric_part(TensorField& field);
 
 }  // namespace triplex
