@@ -57,6 +57,7 @@ Json options_json(const ExtractRequest& request) {
   json.update({{"arrays", request.arrays},
                {"formats", formats},
                {"periodic", request.periodic},
+               {"symmetric", request.symmetric},
                {"domains", request.domains},
                {"max_bisections", request.max_bisections},
                {"threads", request.threads},
@@ -89,12 +90,23 @@ Json curve_json(const FeatureSummary& summary) {
           {"length", summary.measure}};
 }
 
+/// The degenerate features of symmetric tensors.
+Json degenerate_curve_json(const FeatureSummary& summary) {
+  Json json = curve_json(summary);
+  json["ends"] = summary.curve.ends;
+  json["certified"] = summary.unresolved == 0;
+  json["unresolved"] = summary.unresolved;
+  return json;
+}
+
 Json features_json(const Extraction& extraction, const FeatureSummaries& summaries) {
   Json json = Json::object();
   for (const Feature f : reading_order(extraction.requested)) {
     const FeatureRow& row = extraction.table.row(f);
     const FeatureSummary& summary = summaries[index(f)];
-    json[row.name] = row.kind == FeatureKind::Curve ? curve_json(summary) : surface_json(summary);
+    json[row.name] = contains(extraction.curves, f) ? degenerate_curve_json(summary)
+                     : summary.is_curve             ? curve_json(summary)
+                                                    : surface_json(summary);
   }
   return json;
 }
@@ -163,7 +175,8 @@ FeatureSummaries summarize(const Extraction& extraction) {
   for (const Feature f : reading_order(extraction.requested)) {
     const FeatureMesh& mesh = extraction.mesh(f);
     FeatureSummary& summary = summaries[index(f)];
-    if (f == Feature::TripleCurve) {
+    summary.is_curve = f == Feature::TripleCurve || contains(extraction.curves, f);
+    if (summary.is_curve) {
       summary.curve = with_copies_identified(mesh.segments, mesh, [&](const auto& segments) {
         return curve_topology(segments, mesh.points.size());
       });
@@ -201,6 +214,8 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
                           {"tets", refinement.tets}};
   report["sign_stages"] = {
       {"filter", stages.filter}, {"interval", stages.interval}, {"exact", stages.exact}};
+  report["symmetric"] = extraction.curves != 0;
+  if (extraction.curves != 0) report["shifted"] = extraction.curves_shifted;
   report["features"] = features_json(extraction, summaries);
   if (request.domains) report["domains"] = domains_json(extraction.domains);
   report["nodes"] = nodes_json(extraction);
@@ -209,6 +224,7 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
   report["timing_s"] = {{"read", timing.read},
                         {"refine", extraction.timing.refine_s},
                         {"nodes", extraction.timing.nodes_s},
+                        {"curves", extraction.timing.curves_s},
                         {"extract", extraction.timing.extract_s},
                         {"topology", timing.topology},
                         {"write", timing.write},
@@ -219,10 +235,11 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
 
 namespace {
 
-/// Nothing if no degenerate surface was asked for.
+/// Nothing if no degenerate surface was asked for, or the tensors are symmetric.
 std::string nodes_line(const Extraction& extraction) {
-  if (!contains(extraction.requested, Feature::DegenerateLinear) &&
-      !contains(extraction.requested, Feature::DegeneratePlanar))
+  const FeatureSet surfaces = extraction.requested & ~extraction.curves;
+  if (!contains(surfaces, Feature::DegenerateLinear) &&
+      !contains(surfaces, Feature::DegeneratePlanar))
     return {};
   const auto shared = std::ranges::count(extraction.nodes, NodeStatus::Shared, &Node::status);
   const std::size_t undecided = extraction.nodes_undecided.size();
@@ -245,7 +262,7 @@ std::string make_table(const Extraction& extraction, const FeatureSummaries& sum
   for (const Feature f : reading_order(extraction.requested)) {
     const FeatureSummary& summary = summaries[index(f)];
     const std::string& name = extraction.table.row(f).name;
-    if (f == Feature::TripleCurve) {
+    if (summary.is_curve) {
       const CurveTopology& c = summary.curve;
       fmt::format_to(out, kLine, name, width, c.vertices, c.segments, c.components,
                      static_cast<std::int64_t>(c.vertices) - static_cast<std::int64_t>(c.segments),

@@ -170,6 +170,7 @@ void add_degenerate_curves(const TensorField& field, const RefinedComplex& compl
                                                    options.keep_tensors);
   result.features[index(Feature::DegenerateLinear)] = std::move(curves.linear);
   result.features[index(Feature::DegeneratePlanar)] = std::move(curves.planar);
+  result.curves_shifted = curves.shift == Shift::General;
   for (const CurvesUndecided& tet : curves.undecided) {
     const std::size_t t = index(tet.tet);
     const std::int64_t source =
@@ -241,7 +242,12 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
   result.certificates = count_certificates(complex, certified);
   result.refinement = {complex.rounds, complex.bisections, complex.leaves.size()};
   result.unresolved = unresolved_tets(field, complex, result.nodes, options);
-  if (result.curves != 0) add_degenerate_curves(field, complex, options, result);
+  if (result.curves != 0) {
+    result.timing.extract_s += watch.lap();
+    report("curves");
+    add_degenerate_curves(field, complex, options, result);
+    result.timing.curves_s = watch.lap();
+  }
   for (const Crossing& c : crossings.crossings())
     if (c.error < 1)
       result.largest_crossing_error = std::max(result.largest_crossing_error, c.error);

@@ -60,9 +60,10 @@ struct RefinementStatistics {
   std::uint64_t rounds = 0, bisections = 0, tets = 0;
 };
 
-/// Seconds of wall time: refinement with certification, the search for nodes, and extraction.
+/// Seconds of wall time: refinement with certification, the search for nodes, the degenerate curves
+/// of symmetric tensors, and extraction.
 struct ExtractionTiming {
-  double refine_s = 0, nodes_s = 0, extract_s = 0;
+  double refine_s = 0, nodes_s = 0, curves_s = 0, extract_s = 0;
 };
 
 /// Called from the calling thread between steps: name of the step, done in [0,1] or < 0 if unknown.
@@ -97,6 +98,8 @@ struct Extraction {
   /// The surfaces of the table that are curves in this field: the degenerate ones, if all tensors
   /// are exactly symmetric. Their meshes have segments.
   FeatureSet curves = 0;
+  /// These curves are those of T + delta B, as T is not in general position (`Shift`).
+  bool curves_shifted = false;
   std::vector<FeatureMesh> features;  ///< one per row of the table; empty where not asked for
   const FeatureMesh& mesh(Feature f) const { return features[index(f)]; }
   /// The domain cut by all pages of the table. Empty unless `ExtractionOptions::domains`.
