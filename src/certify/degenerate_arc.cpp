@@ -52,12 +52,10 @@ class CellLink {
       : points_(points) {
     const Columns<4> columns = without(Columns<5>{0, 1, 2, 3, 4}, left_out);
     const Exact det = minor_of(m, columns);
-    sign_of_minor_ = sign(det);
     circle_.emplace(conic_of(relation(m, columns, det, left_out)), place_forms(m, columns));
   }
 
   CellArcs run() {
-    if (points_.empty()) return look_for_closed_curve();
     const auto order = circle_->usable() ? order_points() : std::nullopt;
     CellArcs result;
     if (order) {
@@ -77,32 +75,6 @@ class CellLink {
   }
 
  private:
-  /// The circle of axes misses the boundary: it is inside as a whole, or outside.
-  CellArcs look_for_closed_curve() const {
-    constexpr int kSamples = 16;
-    if (!circle_->usable()) return {{}, CurveObstacle::FlatCell};
-    for (int n = 0; n < kSamples; ++n) {
-      const Side side = circle_->side_at(Turn((n + 0.35) * 4 / kSamples), 0);
-      if (side == Side::Outside) return {};
-      if (side == Side::Unknown) continue;
-      const Sign place = side == Side::AllPositive ? Sign::Positive : Sign::Negative;
-      DegenerateArc loop{feature_of(place), -1, -1, {}};
-      constexpr int kCorners = 8;
-      for (int c = 0; c < kCorners; ++c) {
-        const Turn low(4.0 * c / kCorners), high(4.0 * (c + 1) / kCorners);
-        const Place a = circle_->place_approx(low, 0), b = circle_->place_approx(high, 0);
-        loop.inside.push_back(a);
-        add_between(low, a, high, b, 0, kMostHalvings, loop.inside);
-      }
-      return {{loop}, CurveObstacle::None};
-    }
-    return {{}, CurveObstacle::Order};
-  }
-  Feature feature_of(Sign place) const {
-    return place * sign_of_minor_ == Sign::Positive ? Feature::DegeneratePlanar
-                                                    : Feature::DegenerateLinear;
-  }
-
   std::optional<CircularOrder> order_points() const {
     for (int view = 0; view < Circle::kViews; ++view)
       if (auto order = order_points(view)) return order;
@@ -177,21 +149,8 @@ class CellLink {
 
   static constexpr int kMostHalvings = 5;
   std::span<const CellPoint> points_;
-  Sign sign_of_minor_ = Sign::Zero;
   std::optional<Circle> circle_;
 };
-
-/// Proves that no tensor of the tet is zero: all lie on one side of a plane.
-bool misses_zero(const std::array<Components<Exact>, 4>& m) {
-  Components<Exact> sum;
-  for (const auto& a : m)
-    for (std::size_t k = 0; k < 5; ++k) sum[k] = sum[k] + a[k];
-  return std::ranges::all_of(m, [&](const auto& a) {
-    Exact product;
-    for (std::size_t k = 0; k < 5; ++k) product = product + a[k] * sum[k];
-    return sign(product) == Sign::Positive;
-  });
-}
 
 /// Four tensors that span three dimensions at most, without zero: the degenerate points make up
 /// lines (or more) on each of which the tensors are multiples of one. Each that meets the tet
@@ -235,6 +194,8 @@ CellArcs link_degenerate_points(const RefinableField& field,
   const auto m = exact_components(field, vertices, shift);
   const auto left_out = best_column_left_out(m);
   if (!left_out) return link_lines(m, points);
+  // No curve stays inside a tet.
+  if (points.empty()) return {};
   if (precision == AxisPrecision::High) return CellLink<ExactRange>(m, *left_out, points).run();
   CellLink<Interval> link(m, *left_out, points);
   return run_in_intervals(link);

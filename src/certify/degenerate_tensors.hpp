@@ -66,4 +66,17 @@ std::array<Components<Exact>, N> exact_components(const RefinableField& field,
   return m;
 }
 
+/// Proves that no tensor of a simplex is zero: those at the vertices lie on one side of a plane.
+template <std::size_t N>
+bool misses_zero(const std::array<Components<Exact>, N>& m) {
+  Components<Exact> sum;
+  for (const auto& a : m)
+    for (std::size_t k = 0; k < 5; ++k) sum[k] = sum[k] + a[k];
+  return std::ranges::all_of(m, [&](const auto& a) {
+    Exact product;
+    for (std::size_t k = 0; k < 5; ++k) product = product + a[k] * sum[k];
+    return sign(product) == Sign::Positive;
+  });
+}
+
 }  // namespace triplex

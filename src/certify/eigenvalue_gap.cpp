@@ -84,8 +84,6 @@ Eigen::Matrix3d sum_of(const std::array<Tensor<double>, N>& tensors) {
   return r;
 }
 
-constexpr int kMostBisections = 6;
-
 template <std::size_t N>
 struct Part {
   std::array<Tensor<double>, N> tensors;
@@ -151,7 +149,7 @@ FeatureSet missed_after_bisections(const Part<N>& part, FeatureSet wanted, int l
 
 template <std::size_t N>
 FeatureSet degenerate_features_missed(const RefinableField& field,
-                                      const std::array<VertexId, N>& vertices) {
+                                      const std::array<VertexId, N>& vertices, int bisections) {
   Part<N> part;
   for (std::size_t i = 0; i < N; ++i) {
     const ApproximateTensor& v = field.approximate(vertices[i]);
@@ -162,12 +160,12 @@ FeatureSet degenerate_features_missed(const RefinableField& field,
   part.bounds.error += std::ldexp(1.0, kShiftExponent + 12);
   if (!part.bounds.usable()) return 0;
   return missed_after_bisections(
-      part, bit(Feature::DegenerateLinear) | bit(Feature::DegeneratePlanar), kMostBisections);
+      part, bit(Feature::DegenerateLinear) | bit(Feature::DegeneratePlanar), bisections);
 }
 
 template FeatureSet degenerate_features_missed<3>(const RefinableField&,
-                                                  const std::array<VertexId, 3>&);
+                                                  const std::array<VertexId, 3>&, int);
 template FeatureSet degenerate_features_missed<4>(const RefinableField&,
-                                                  const std::array<VertexId, 4>&);
+                                                  const std::array<VertexId, 4>&, int);
 
 }  // namespace triplex

@@ -86,13 +86,12 @@ void CurveMeshBuilder::add(TetId tet, const std::array<VertexId, 4>& vertices,
                                                           : input_.source_cells[index(tet)];
   for (const DegenerateArc& arc : arcs) {
     FeatureMesh& m = mesh(arc.feature);
-    std::vector<std::uint32_t> line;
-    if (arc.from >= 0) line.push_back(numbers[static_cast<std::size_t>(arc.from)]);
+    std::vector<std::uint32_t> line = {numbers[static_cast<std::size_t>(arc.from)]};
     for (const auto& place : arc.inside) {
       line.push_back(add_vertex(m, vertices, place));
       if (!complex_.copies.empty()) m.identified.push_back(line.back());
     }
-    line.push_back(arc.to >= 0 ? numbers[static_cast<std::size_t>(arc.to)] : line.front());
+    line.push_back(numbers[static_cast<std::size_t>(arc.to)]);
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       m.segments.push_back({line[i], line[i + 1]});
       m.source_cell.push_back(source);

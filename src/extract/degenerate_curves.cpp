@@ -99,7 +99,7 @@ class CurveSearch {
     const auto go_on = [&] { return shift == Shift::General || general.load(); };
     tbb::parallel_for(std::size_t{0}, faces_.size(), [&](std::size_t f) {
       if (!go_on() || degenerate_features_missed(field_, faces_[f]) == kDegenerate) return;
-      points_[f] = isolate_degenerate_points(field_, faces_[f], shift);
+      points_[f] = points_on(faces_[f], shift);
       if (points_[f].obstacle != CurveObstacle::None) general = false;
     });
     tbb::parallel_for(std::size_t{0}, tets_.size(), [&](std::size_t n) {
@@ -109,6 +109,16 @@ class CurveSearch {
     });
     return general;
   }
+  /// A face on which the field does not change in some direction may need a closer look.
+  FacePoints points_on(const std::array<VertexId, 3>& face, Shift shift) const {
+    FacePoints points = isolate_degenerate_points(field_, face, shift);
+    constexpr int kMany = 40;
+    if (points.obstacle == CurveObstacle::FlatFace &&
+        degenerate_features_missed(field_, face, kMany) == kDegenerate)
+      return {};
+    return points;
+  }
+
   CellArcs arcs_in(const OpenTet& tet, Shift shift) const {
     std::vector<CellPoint> points;
     for (std::size_t k = 0; k < 4; ++k) {

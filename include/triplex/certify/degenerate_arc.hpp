@@ -17,10 +17,11 @@ struct CellPoint {
   std::array<double, 4> place;     ///< barycentric coordinates in the tet, rounded
 };
 
-/// An arc of a degenerate curve in a tet, from one boundary point to another, or a closed curve.
+/// An arc of a degenerate curve in a tet, from one boundary point to another. (No degenerate curve
+/// closes inside one tet.)
 struct DegenerateArc {
   Feature feature = Feature::DegenerateLinear;
-  int from = -1, to = -1;                     ///< numbers of points; -1 if closed
+  int from = 0, to = 0;                       ///< numbers of points
   std::vector<std::array<double, 4>> inside;  ///< points on it in order, rounded; not certified
 };
 
