@@ -152,33 +152,6 @@ class CellLink {
   std::optional<Circle> circle_;
 };
 
-/// Four tensors that span three dimensions at most, without zero: the degenerate points make up
-/// lines (or more) on each of which the tensors are multiples of one. Each that meets the tet
-/// leaves it through two faces, where the axes are equal.
-CellArcs link_lines(const std::array<Components<Exact>, 4>& m, std::span<const CellPoint> points) {
-  if (!misses_zero(m)) return {{}, CurveObstacle::FlatCell};
-  const auto may_be_equal = [&](const CellPoint& a, const CellPoint& b) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
-      const ExactRange x = a.axis[i] * b.axis[j] - a.axis[j] * b.axis[i];
-      if (sign(x.lo) == Sign::Positive || sign(x.hi) == Sign::Negative) return false;
-    }
-    return true;
-  };
-  CellArcs result;
-  for (std::size_t a = 0; a < points.size(); ++a) {
-    std::vector<std::size_t> equal;
-    for (std::size_t b = 0; b < points.size(); ++b)
-      if (b != a && may_be_equal(points[a], points[b])) equal.push_back(b);
-    if (equal.size() != 1 || points[equal[0]].feature != points[a].feature)
-      return {{}, CurveObstacle::Order};
-    if (a < equal[0])
-      result.arcs.push_back(
-          {points[a].feature, static_cast<int>(a), static_cast<int>(equal[0]), {}});
-  }
-  return result;
-}
-
 [[gnu::noinline]] CellArcs run_in_intervals(CellLink<Interval>& link) {
   const IntervalRounding protect;
   return link.run();
@@ -186,14 +159,13 @@ CellArcs link_lines(const std::array<Components<Exact>, 4>& m, std::span<const C
 
 }  // namespace
 
-CellArcs link_degenerate_points(const RefinableField& field,
+CellArcs link_degenerate_points(const SymmetricField& field,
                                 const std::array<VertexId, 4>& vertices,
-                                std::span<const CellPoint> points, Shift shift,
-                                AxisPrecision precision) {
+                                std::span<const CellPoint> points, AxisPrecision precision) {
   if (points.size() % 2 != 0) return {{}, CurveObstacle::Order};
-  const auto m = exact_components(field, vertices, shift);
+  const auto m = exact_components(field, vertices);
   const auto left_out = best_column_left_out(m);
-  if (!left_out) return link_lines(m, points);
+  if (!left_out) return {{}, CurveObstacle::FlatCell};
   // No curve stays inside a tet.
   if (points.empty()) return {};
   if (precision == AxisPrecision::High) return CellLink<ExactRange>(m, *left_out, points).run();

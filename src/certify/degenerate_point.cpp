@@ -91,7 +91,7 @@ class FaceSearch {
 
   FacePoints run() {
     const auto columns = best_columns(tensors_);
-    if (!columns) return {{}, misses_as_constant() ? CurveObstacle::None : CurveObstacle::FlatFace};
+    if (!columns) return {{}, CurveObstacle::FlatFace};
     const auto choice = choose(tensors_, *columns);
     if (!choice) return {{}, CurveObstacle::Pencil};
     sign_of_minor_ = sign(minor_of(tensors_, *columns));
@@ -103,23 +103,6 @@ class FaceSearch {
   }
 
  private:
-  /// All tensors are positive multiples of one, and that has three different eigenvalues.
-  bool misses_as_constant() const {
-    for (std::size_t a = 0; a < 5; ++a)
-      for (std::size_t b = a + 1; b < 5; ++b)
-        for (std::size_t i = 0; i < 3; ++i) {
-          const auto &m = tensors_[i], &n = tensors_[(i + 1) % 3];
-          if (!(m[a] * n[b] - m[b] * n[a]).is_zero()) return false;
-        }
-    const auto& [xx, yy, xy, xz, yz] = tensors_[0];
-    const Exact zz = -(xx + yy);
-    // -p and q of this tensor; D = 4 (-p)^3 - 27 q^2.
-    const Exact p = xy * xy + xz * xz + yz * yz - xx * yy - (xx + yy) * zz;
-    const Exact q = determinant<Exact>({xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz});
-    const Exact d = Exact(4) * p * p * p - Exact(27) * q * q;
-    return sign(d) == Sign::Positive && misses_zero(tensors_);
-  }
-
   void search(int chart) {
     const auto bernstein = bernstein_of(in_chart(pencil_.f, chart));
     RootIsolation roots{std::span<const Exact>(bernstein)};
@@ -229,10 +212,10 @@ std::string_view describe(CurveObstacle obstacle) {
   return "";
 }
 
-FacePoints isolate_degenerate_points(const RefinableField& field,
-                                     const std::array<VertexId, 3>& vertices, Shift shift,
+FacePoints isolate_degenerate_points(const SymmetricField& field,
+                                     const std::array<VertexId, 3>& vertices,
                                      AxisPrecision precision) {
-  return FaceSearch(exact_components(field, vertices, shift), precision).run();
+  return FaceSearch(exact_components(field, vertices), precision).run();
 }
 
 }  // namespace triplex

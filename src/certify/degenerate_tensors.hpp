@@ -10,8 +10,7 @@
 #include "triplex/arithmetic/exact.hpp"
 #include "triplex/arithmetic/exact_conversion.hpp"
 #include "triplex/arithmetic/infinitesimal.hpp"
-#include "triplex/certify/degenerate_point.hpp"
-#include "triplex/field/refinable_field.hpp"
+#include "triplex/certify/symmetric_field.hpp"
 
 namespace triplex {
 
@@ -35,48 +34,38 @@ int common_exponent(const Numbers& numbers) {
   return exponent;
 }
 
-/// delta times the tripled deviator of B, in the units of the input.
-inline Components<Exact> shift_of(const RefinableField& field) {
+/// delta (B + 2^-20 B_v), tripled deviator, in the units of the input.
+inline Components<Exact> shift_at(const SymmetricField& field, VertexId v) {
   constexpr std::array<std::size_t, 9> kUpper = {0, 1, 2, 1, 4, 5, 2, 5, 8};
+  const auto own = own_shift(field.representative(v));
   Tensor<Exact> b;
-  for (std::size_t k = 0; k < 9; ++k) b[k] = Exact(kPerturbation[kUpper[k]]);
+  for (std::size_t k = 0; k < 9; ++k)
+    b[k] = Exact(kPerturbation[kUpper[k]] * (1 << kOwnShiftBits) + own[kUpper[k]]);
   Components<Exact> c = components_of(triple_deviator(b));
-  for (Exact& x : c) x = times_power_of_two(x, kShiftExponent - field.scale_exponent());
+  for (Exact& x : c)
+    x = times_power_of_two(x, kShiftExponent - kOwnShiftBits - field.field().scale_exponent());
   return c;
 }
 
-/// The exact tripled deviators of T, or of T + delta B, at some vertices, scaled together so that
-/// the largest entry is about one: forms of high degree in them then fit doubles.
+/// The exact tripled deviators of a field at some vertices, scaled together so that the largest
+/// entry is about one: forms of high degree in them then fit doubles.
 template <std::size_t N>
-std::array<Components<Exact>, N> exact_components(const RefinableField& field,
-                                                  const std::array<VertexId, N>& vertices,
-                                                  Shift shift) {
+std::array<Components<Exact>, N> exact_components(const SymmetricField& field,
+                                                  const std::array<VertexId, N>& vertices) {
   std::array<Components<Exact>, N> m;
-  Components<Exact> b;
-  if (shift == Shift::General) b = shift_of(field);
   std::array<int, N> exponents;
   for (std::size_t i = 0; i < N; ++i) {
-    m[i] = components_of(field.exact(vertices[i]));
-    for (std::size_t k = 0; k < 5; ++k) m[i][k] = m[i][k] + b[k];
+    m[i] = components_of(field.field().exact(vertices[i]));
+    if (field.shift() == Shift::General) {
+      const Components<Exact> b = shift_at(field, vertices[i]);
+      for (std::size_t k = 0; k < 5; ++k) m[i][k] = m[i][k] + b[k];
+    }
     exponents[i] = common_exponent(m[i]);
   }
   const int exponent = *std::ranges::max_element(exponents);
   for (auto& a : m)
     for (Exact& x : a) x = times_power_of_two(x, -exponent);
   return m;
-}
-
-/// Proves that no tensor of a simplex is zero: those at the vertices lie on one side of a plane.
-template <std::size_t N>
-bool misses_zero(const std::array<Components<Exact>, N>& m) {
-  Components<Exact> sum;
-  for (const auto& a : m)
-    for (std::size_t k = 0; k < 5; ++k) sum[k] = sum[k] + a[k];
-  return std::ranges::all_of(m, [&](const auto& a) {
-    Exact product;
-    for (std::size_t k = 0; k < 5; ++k) product = product + a[k] * sum[k];
-    return sign(product) == Sign::Positive;
-  });
 }
 
 }  // namespace triplex

@@ -22,7 +22,11 @@ constexpr FeatureSet kDegenerate = bit(Feature::DegenerateLinear) | bit(Feature:
 class CurveSearch {
  public:
   CurveSearch(const TensorField& input, const RefinedComplex& complex)
-      : input_(input), complex_(complex), field_(complex.field) {}
+      : input_(input), complex_(complex), field_(complex.field) {
+    if (complex.copies.empty()) return;
+    for (std::size_t v = 0; v < field_.input_vertex_count(); ++v)
+      representatives_.push_back(complex.copies.lowest(std::array{VertexId(v)})[0]);
+  }
 
   DegenerateCurves run(FeatureSet features, bool keep_tensors) {
     exclude_tets();
@@ -57,6 +61,7 @@ class CurveSearch {
   };
 
   void exclude_tets() {
+    const SymmetricField field(field_);
     const auto& tets = field_.input_tets();
     std::vector<std::uint8_t> open(tets.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tets.size(), 512), [&](const auto& range) {
@@ -64,7 +69,7 @@ class CurveSearch {
         auto vertices = tets[t];
         std::ranges::sort(vertices);
         open[t] =
-            static_cast<std::uint8_t>(kDegenerate & ~degenerate_features_missed(field_, vertices));
+            static_cast<std::uint8_t>(kDegenerate & ~degenerate_features_missed(field, vertices));
       }
     });
     for (std::size_t t = 0; t < tets.size(); ++t) {
@@ -93,48 +98,39 @@ class CurveSearch {
 
   /// Points on faces, then arcs; false if the field is not in general position somewhere.
   bool decide(Shift shift) {
+    const SymmetricField field(field_, shift, representatives_);
     points_.assign(faces_.size(), {});
     std::atomic<bool> general = true;
     // Without a shift, the first obstacle ends it.
     const auto go_on = [&] { return shift == Shift::General || general.load(); };
     tbb::parallel_for(std::size_t{0}, faces_.size(), [&](std::size_t f) {
-      if (!go_on() || degenerate_features_missed(field_, faces_[f]) == kDegenerate) return;
-      points_[f] = points_on(faces_[f], shift);
+      if (!go_on() || degenerate_features_missed(field, faces_[f]) == kDegenerate) return;
+      points_[f] = isolate_degenerate_points(field, faces_[f]);
       if (points_[f].obstacle != CurveObstacle::None) general = false;
     });
     tbb::parallel_for(std::size_t{0}, tets_.size(), [&](std::size_t n) {
       if (!go_on()) return;
-      tets_[n].arcs = arcs_in(tets_[n], shift);
+      tets_[n].arcs = arcs_in(tets_[n], field);
       if (tets_[n].arcs.obstacle != CurveObstacle::None) general = false;
     });
     return general;
   }
-  /// A face on which the field does not change in some direction may need a closer look.
-  FacePoints points_on(const std::array<VertexId, 3>& face, Shift shift) const {
-    FacePoints points = isolate_degenerate_points(field_, face, shift);
-    constexpr int kMany = 40;
-    if (points.obstacle == CurveObstacle::FlatFace &&
-        degenerate_features_missed(field_, face, kMany) == kDegenerate)
-      return {};
-    return points;
-  }
-
-  CellArcs arcs_in(const OpenTet& tet, Shift shift) const {
+  CellArcs arcs_in(const OpenTet& tet, const SymmetricField& field) const {
     std::vector<CellPoint> points;
     for (std::size_t k = 0; k < 4; ++k) {
       const FacePoints& face = points_[tet.faces[k]];
       if (face.obstacle != CurveObstacle::None) return {{}, face.obstacle};
       add_points(face, k, points);
     }
-    CellArcs arcs = link_degenerate_points(field_, tet.vertices, points, shift);
+    if (points.empty() && degenerate_features_missed(field, tet.vertices) == kDegenerate) return {};
+    CellArcs arcs = link_degenerate_points(field, tet.vertices, points);
     if (arcs.obstacle != CurveObstacle::Order) return arcs;
     points.clear();
     for (std::size_t k = 0; k < 4; ++k)
       if (!points_[tet.faces[k]].points.empty())
-        add_points(
-            isolate_degenerate_points(field_, faces_[tet.faces[k]], shift, AxisPrecision::High), k,
-            points);
-    return link_degenerate_points(field_, tet.vertices, points, shift, AxisPrecision::High);
+        add_points(isolate_degenerate_points(field, faces_[tet.faces[k]], AxisPrecision::High), k,
+                   points);
+    return link_degenerate_points(field, tet.vertices, points, AxisPrecision::High);
   }
   static void add_points(const FacePoints& face, std::size_t opposite,
                          std::vector<CellPoint>& points) {
@@ -149,6 +145,7 @@ class CurveSearch {
   const TensorField& input_;
   const RefinedComplex& complex_;
   const RefinableField& field_;
+  std::vector<VertexId> representatives_;       // of vertices with periodic copies, or none
   std::vector<OpenTet> tets_;                   // by id
   std::vector<std::array<VertexId, 3>> faces_;  // of these, ascending
   std::vector<FacePoints> points_;              // per face

@@ -32,12 +32,12 @@ struct CellArcs {
 
 /// How degenerate points on the faces of a tet of symmetric tensors are joined inside it.
 /// Guarantee: the degenerate curves in the tet are the arcs, up to a homeomorphism that keeps their
-/// ends, and there are no others. \pre `points` are all the points of the four faces, for the same
-/// shift and precision. The result does not depend on the order of
+/// ends, and there are no others. \pre `points` are all the points of the four faces, with the
+/// same precision. The result does not depend on the order of
 /// the vertices. Source: proofs/symmetric_curve.md.
-CellArcs link_degenerate_points(const RefinableField& field,
+CellArcs link_degenerate_points(const SymmetricField& field,
                                 const std::array<VertexId, 4>& vertices,
-                                std::span<const CellPoint> points, Shift shift,
+                                std::span<const CellPoint> points,
                                 AxisPrecision precision = AxisPrecision::Double);
 
 }  // namespace triplex

@@ -8,8 +8,8 @@
 
 #include "triplex/arithmetic/exact_range.hpp"
 #include "triplex/certify/node.hpp"
+#include "triplex/certify/symmetric_field.hpp"
 #include "triplex/feature/feature.hpp"
-#include "triplex/field/refinable_field.hpp"
 
 namespace triplex {
 
@@ -35,12 +35,6 @@ enum class CurveObstacle : std::uint8_t {
 };
 std::string_view describe(CurveObstacle obstacle);
 
-/// Which field is meant: T as it is, or T + delta B in general position, with the symmetric tensor
-/// B of the upper triangle of `kPerturbation` and the number delta = 2^-96, in units of the power
-/// of two above the largest entry of the field (`RefinableField::scale_exponent`).
-enum class Shift : std::uint8_t { None, General };
-inline constexpr int kShiftExponent = -96;
-
 struct FacePoints {
   std::vector<DegeneratePoint> points;
   CurveObstacle obstacle = CurveObstacle::None;  ///< if any, no points are known
@@ -53,8 +47,8 @@ enum class AxisPrecision : std::uint8_t { Double, High };
 /// Guarantee: each is one and no other is, in the closed face; all lie inside and are simple. The
 /// result depends on the face only, with its vertices in ascending order. Exact arithmetic.
 /// Source: proofs/symmetric_curve.md.
-FacePoints isolate_degenerate_points(const RefinableField& field,
-                                     const std::array<VertexId, 3>& vertices, Shift shift,
+FacePoints isolate_degenerate_points(const SymmetricField& field,
+                                     const std::array<VertexId, 3>& vertices,
                                      AxisPrecision precision = AxisPrecision::Double);
 
 }  // namespace triplex

@@ -28,9 +28,10 @@ struct DegenerateCurves {
 /// `features`, as polylines through their points on the faces of the input's tets.
 /// Guarantee: in every tet that is not undecided, the curve is the polyline up to a homeomorphism
 /// that keeps faces, nothing missing and nothing made up; points on faces lie within an enclosure
-/// of rounding size. The field meant is T; if that is not in general position in some tet, T +
-/// delta B everywhere (`Shift`). Tets that are undecided hold no segments. The result does not
-/// depend on threads. Source: proofs/symmetric_curve.md. \pre `is_symmetric(input)`.
+/// of rounding size. The field meant is T; if that is not in
+/// general position in some tet, the shifted one, everywhere (`Shift`). Tets that are undecided
+/// hold no segments. The result does not depend on threads. Source: proofs/symmetric_curve.md. \pre
+/// `is_symmetric(input)`.
 DegenerateCurves find_degenerate_curves(const TensorField& input, const RefinedComplex& complex,
                                         FeatureSet features, bool keep_tensors);
 

@@ -98,7 +98,8 @@ struct Extraction {
   /// The surfaces of the table that are curves in this field: the degenerate ones, if all tensors
   /// are exactly symmetric. Their meshes have segments.
   FeatureSet curves = 0;
-  /// These curves are those of T + delta B, as T is not in general position (`Shift`).
+  /// These curves are those of the field shifted by rounding size, as T is not in general position
+  /// (`Shift`).
   bool curves_shifted = false;
   std::vector<FeatureMesh> features;  ///< one per row of the table; empty where not asked for
   const FeatureMesh& mesh(Feature f) const { return features[index(f)]; }
