@@ -214,8 +214,7 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
                           {"tets", refinement.tets}};
   report["sign_stages"] = {
       {"filter", stages.filter}, {"interval", stages.interval}, {"exact", stages.exact}};
-  report["symmetric"] = extraction.curves != 0;
-  if (extraction.curves != 0) report["shifted"] = extraction.curves_shifted;
+  if (extraction.curves != 0) report["symmetric"] = {{"shifted", extraction.curves_shifted}};
   report["features"] = features_json(extraction, summaries);
   if (request.domains) report["domains"] = domains_json(extraction.domains);
   report["nodes"] = nodes_json(extraction);
@@ -224,11 +223,11 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
   report["timing_s"] = {{"read", timing.read},
                         {"refine", extraction.timing.refine_s},
                         {"nodes", extraction.timing.nodes_s},
-                        {"curves", extraction.timing.curves_s},
                         {"extract", extraction.timing.extract_s},
                         {"topology", timing.topology},
                         {"write", timing.write},
                         {"total", timing.total}};
+  if (extraction.curves != 0) report["timing_s"]["curves"] = extraction.timing.curves_s;
   report["peak_memory_bytes"] = peak_memory_bytes();
   return report;
 }
