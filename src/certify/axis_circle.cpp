@@ -121,7 +121,8 @@ std::optional<NT> turn_of_direction(const NT& u, const NT& v) {
 template <class NT>
 AxisCircle<NT>::AxisCircle(const Conic<Exact>& conic, const std::array<Conic<Exact>, 4>& place) {
   const Sign determinant = sign(conic.determinant());
-  if (determinant == Sign::Zero) return;
+  smooth_ = determinant != Sign::Zero;
+  if (!smooth_) return;
   const Exact scale = unit_scale(std::span(&conic, 1));
   const Eigen::Vector3d z = inside_approx(conic, scale, determinant);
   for (std::size_t i = 0; i < 3; ++i) z_[i] = z[static_cast<int>(i)];

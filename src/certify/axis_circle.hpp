@@ -29,7 +29,9 @@ class AxisCircle {
   /// `conic` vanishes on the axes; `place` are the forms of the barycentric coordinates.
   AxisCircle(const Conic<Exact>& conic, const std::array<Conic<Exact>, 4>& place);
 
-  /// Whether the conic is proven to be smooth and a point inside it was found.
+  /// Whether the conic is smooth; exact.
+  bool smooth() const { return smooth_; }
+  /// Whether, moreover, a point inside it was found. The other members need one.
   bool usable() const { return usable_; }
 
   /// The turn of an axis on the circle; nothing if it cannot be told. `view` turns the axes of
@@ -53,7 +55,7 @@ class AxisCircle {
   Axis axis_at(const Turn& turn, int view) const;
   std::array<NT, 4> place_at(const Turn& turn, int view) const;
 
-  bool usable_ = false;
+  bool smooth_ = false, usable_ = false;
   Conic<NT> conic_;
   std::array<Conic<NT>, 4> place_;
   std::size_t k_ = 0;          // the largest entry of z

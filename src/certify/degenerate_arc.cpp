@@ -56,6 +56,7 @@ class CellLink {
   }
 
   CellArcs run() {
+    if (!circle_->smooth()) return {{}, CurveObstacle::Crossing};
     const auto order = circle_->usable() ? order_points() : std::nullopt;
     CellArcs result;
     if (order) {

@@ -206,6 +206,8 @@ std::string_view describe(CurveObstacle obstacle) {
       return "degenerate points too close to tell apart";
     case CurveObstacle::FlatCell:
       return "tensors in the tet that do not span four dimensions";
+    case CurveObstacle::Crossing:
+      return "degenerate curves that may cross";
     case CurveObstacle::Order:
       return "the order of the points along a degenerate curve";
   }

@@ -105,7 +105,10 @@ void add_legend(vtkRenderer* renderer, const std::vector<DrawnFeature>& features
   legend->SetNumberOfEntries(static_cast<int>(features.size()));
   double black[3] = {0, 0, 0};
   for (std::size_t k = 0; k < features.size(); ++k) {
-    const std::string title(features[k].row->title);
+    std::string title(features[k].row->title);
+    if (is_curve_of_surfaces(features[k]))
+      if (const auto at = title.find("surface"); at != std::string::npos)
+        title.replace(at, 7, "curve");
     legend->SetEntry(static_cast<int>(k), make_swatch(features[k].row->color), title.c_str(),
                      black);
   }

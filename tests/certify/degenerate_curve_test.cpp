@@ -281,6 +281,29 @@ TEST(DegenerateArcs, BothPrecisionsAgree) {
   EXPECT_GT(several, 5);
 }
 
+/// Where xx = yy in all tensors, the conic of the axes is a pair of lines.
+TEST(DegenerateArcs, CrossingCurvesAreAnObstacleUntilShifted) {
+  oracle::Random random(19);
+  int crossing = 0, empty = 0;
+  for (int n = 0; n < 60; ++n) {
+    auto tensors = random_tensors(random);
+    for (auto& t : tensors) t[4] = t[0];
+    const OneTet tet(tensors);
+    const auto points = tet.points();
+    if (!points) continue;
+    const CellArcs cell = link_degenerate_points(tet.symmetric(), kTet, *points);
+    EXPECT_EQ(cell.obstacle, points->empty() ? CurveObstacle::None : CurveObstacle::Crossing);
+    (points->empty() ? empty : crossing) += 1;
+    const auto shifted = tet.points(Shift::General);
+    ASSERT_TRUE(shifted);
+    ASSERT_EQ(shifted->size(), points->size());
+    const CellArcs arcs = link_degenerate_points(tet.symmetric(Shift::General), kTet, *shifted);
+    EXPECT_EQ(2 * arcs.arcs.size(), points->size());
+  }
+  EXPECT_GT(crossing, 10);
+  EXPECT_GT(empty, 10);
+}
+
 /// What the code concludes from "no points on the faces".
 TEST(DegenerateArcs, NoCurveClosesInsideATet) {
   oracle::Random random(18);

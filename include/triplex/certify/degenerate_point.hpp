@@ -31,6 +31,7 @@ enum class CurveObstacle : std::uint8_t {
   Boundary,    ///< a point on an edge or at a vertex
   Resolution,  ///< points too close to tell apart
   FlatCell,    ///< the tensors in the tet do not span four dimensions
+  Crossing,    ///< two degenerate curves may cross
   Order,       ///< the order of the points along the curve could not be proven
 };
 std::string_view describe(CurveObstacle obstacle);
