@@ -119,9 +119,11 @@ class FaceSearch {
   /// obstacle was met.
   std::optional<Signs> signs_at(RootIsolation& roots, std::size_t r,
                                 const std::array<IntegerPolynomial, 3>& place) {
-    Signs signs;
-    for (std::size_t i = 0; i < 3; ++i) signs[i] = roots.sign_at_root(place[i], r);
-    if (have_both_signs(signs)) return std::nullopt;
+    Signs signs{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      signs[i] = roots.sign_at_root(place[i], r);
+      if (have_both_signs(signs)) return std::nullopt;
+    }
     if (roots.roots()[r].multiplicity > 1)
       result_.obstacle = CurveObstacle::Tangency;
     else if (std::ranges::count(signs, Sign::Zero) > 0)

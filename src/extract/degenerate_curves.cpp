@@ -21,14 +21,16 @@ constexpr FeatureSet kDegenerate = bit(Feature::DegenerateLinear) | bit(Feature:
 /// The steps: tets, their faces, the arcs between the points on these.
 class CurveSearch {
  public:
-  CurveSearch(const TensorField& input, const RefinedComplex& complex)
-      : input_(input), complex_(complex), field_(complex.field) {
+  CurveSearch(const TensorField& input, const RefinedComplex& complex,
+              const ExtractionOptions& options)
+      : input_(input), complex_(complex), options_(options), field_(complex.field) {
     if (complex.copies.empty()) return;
     for (std::size_t v = 0; v < field_.input_vertex_count(); ++v)
       representatives_.push_back(complex.copies.lowest(std::array{VertexId(v)})[0]);
   }
 
-  DegenerateCurves run(FeatureSet features, bool keep_tensors) {
+  DegenerateCurves run() {
+    const FeatureSet features = options_.features & kDegenerate;
     exclude_tets();
     collect_faces();
     DegenerateCurves result;
@@ -36,7 +38,8 @@ class CurveSearch {
       result.shift = Shift::General;
       decide(Shift::General);
     }
-    CurveMeshBuilder builder(input_, complex_, faces_, points_, keep_tensors);
+    if (interrupted()) throw Interrupted{};
+    CurveMeshBuilder builder(input_, complex_, faces_, points_, options_.keep_tensors);
     for (const OpenTet& tet : tets_) {
       if (tet.arcs.obstacle == CurveObstacle::None)
         builder.add(tet.id, tet.vertices, tet.faces, tet.arcs.arcs);
@@ -102,7 +105,9 @@ class CurveSearch {
     points_.assign(faces_.size(), {});
     std::atomic<bool> general = true;
     // Without a shift, the first obstacle ends it.
-    const auto go_on = [&] { return shift == Shift::General || general.load(); };
+    const auto go_on = [&] {
+      return (shift == Shift::General || general.load()) && !interrupted();
+    };
     tbb::parallel_for(std::size_t{0}, faces_.size(), [&](std::size_t f) {
       if (!go_on() || degenerate_features_missed(field, faces_[f]) == kDegenerate) return;
       points_[f] = isolate_degenerate_points(field, faces_[f]);
@@ -142,8 +147,11 @@ class CurveSearch {
     }
   }
 
+  bool interrupted() const { return options_.interrupted && options_.interrupted->load(); }
+
   const TensorField& input_;
   const RefinedComplex& complex_;
+  const ExtractionOptions& options_;
   const RefinableField& field_;
   std::vector<VertexId> representatives_;       // of vertices with periodic copies, or none
   std::vector<OpenTet> tets_;                   // by id
@@ -154,10 +162,9 @@ class CurveSearch {
 }  // namespace
 
 DegenerateCurves find_degenerate_curves(const TensorField& input, const RefinedComplex& complex,
-                                        FeatureSet features, bool keep_tensors) {
-  features &= kDegenerate;
-  if (features == 0) return {};
-  return CurveSearch(input, complex).run(features, keep_tensors);
+                                        const ExtractionOptions& options) {
+  if ((options.features & kDegenerate) == 0) return {};
+  return CurveSearch(input, complex, options).run();
 }
 
 }  // namespace triplex

@@ -166,8 +166,7 @@ FeatureSet curves_of(const TensorField& field) {
 /// Puts the degenerate curves asked for in the place of surfaces.
 void add_degenerate_curves(const TensorField& field, const RefinedComplex& complex,
                            const ExtractionOptions& options, Extraction& result) {
-  DegenerateCurves curves = find_degenerate_curves(field, complex, options.features & result.curves,
-                                                   options.keep_tensors);
+  DegenerateCurves curves = find_degenerate_curves(field, complex, options);
   result.features[index(Feature::DegenerateLinear)] = std::move(curves.linear);
   result.features[index(Feature::DegeneratePlanar)] = std::move(curves.planar);
   result.curves_shifted = curves.shift == Shift::General;

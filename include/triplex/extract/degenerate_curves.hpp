@@ -24,8 +24,8 @@ struct DegenerateCurves {
   Shift shift = Shift::None;               ///< whose curves these are
 };
 
-/// The degenerate features of a field of symmetric tensors, where they are curves: those in
-/// `features`, as polylines through their points on the faces of the input's tets.
+/// The degenerate features of a field of symmetric tensors, where they are curves: those asked for,
+/// as polylines through their points on the faces of the input's tets.
 /// Guarantee: in every tet that is not undecided, the curve is the polyline up to a homeomorphism
 /// that keeps faces, nothing missing and nothing made up; points on faces lie within an enclosure
 /// of rounding size. The field meant is T; if that is not in
@@ -33,6 +33,6 @@ struct DegenerateCurves {
 /// hold no segments. The result does not depend on threads. Source: proofs/symmetric_curve.md. \pre
 /// `is_symmetric(input)`.
 DegenerateCurves find_degenerate_curves(const TensorField& input, const RefinedComplex& complex,
-                                        FeatureSet features, bool keep_tensors);
+                                        const ExtractionOptions& options);
 
 }  // namespace triplex
