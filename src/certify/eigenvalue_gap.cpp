@@ -124,12 +124,19 @@ std::array<std::size_t, 2> longest_edge(const Part<N>& part) {
   return edge;
 }
 
+/// How long the bisections go on. Beyond, exact decisions cost less.
+struct Effort {
+  int depth;
+  int parts = 400;
+};
+
 /// Depth first; true bisections, whose midpoints take one rounding each.
 template <std::size_t N>
-FeatureSet missed_after_bisections(const Part<N>& part, FeatureSet wanted, int left) {
+FeatureSet missed_after_bisections(const Part<N>& part, FeatureSet wanted, int depth,
+                                   Effort& effort) {
   const FeatureSet missed = missed_by(part, wanted);
   FeatureSet open = wanted & ~missed;
-  if (open == 0 || left == 0) return missed;
+  if (open == 0 || depth == effort.depth || --effort.parts < 0) return missed;
   const auto [i, j] = longest_edge(part);
   Tensor<double> middle;
   for (std::size_t k = 0; k < 9; ++k) middle[k] = part.tensors[i][k] / 2 + part.tensors[j][k] / 2;
@@ -137,7 +144,7 @@ FeatureSet missed_after_bisections(const Part<N>& part, FeatureSet wanted, int l
     Part<N> half = part;
     half.tensors[replaced] = middle;
     half.bounds.error += gamma(2) * half.bounds.magnitude;
-    open &= missed_after_bisections(half, open, left - 1);
+    open &= missed_after_bisections(half, open, depth + 1, effort);
     if (open == 0) break;
   }
   return missed | open;
@@ -161,7 +168,7 @@ template <std::size_t N>
 FeatureSet degenerate_features_missed(const SymmetricField& field,
                                       const std::array<VertexId, N>& vertices) {
   constexpr FeatureSet kBoth = bit(Feature::DegenerateLinear) | bit(Feature::DegeneratePlanar);
-  constexpr int kBisections = 6;
+  Effort effort{N == 3 ? 20 : 12};
   Part<N> part;
   for (std::size_t i = 0; i < N; ++i) {
     const ApproximateTensor& v = field.field().approximate(vertices[i]);
@@ -170,7 +177,7 @@ FeatureSet degenerate_features_missed(const SymmetricField& field,
   }
   // Entries of the tripled deviator of B + 2^-20 B_v are below 2^12: both fields are enclosed.
   part.bounds.error += std::ldexp(1.0, kShiftExponent + 12);
-  if (part.bounds.usable()) return missed_after_bisections(part, kBoth, kBisections);
+  if (part.bounds.usable()) return missed_after_bisections(part, kBoth, 0, effort);
   return field.shift() == Shift::General && vanishes(field.field(), vertices) ? kBoth : 0;
 }
 
