@@ -206,6 +206,25 @@ TEST(DegenerateCurves, NothingIsMadeUpWhereTensorsVanishOrDoNotChange) {
       for (const std::uint32_t v : s) EXPECT_GE(e.mesh(f).points[v][0], -0.25 - 1e-9);
 }
 
+/// Strain rates of the Arnold-Beltrami-Childress flow have no diagonal: they span three dimensions,
+/// so that in the shifted field pairs of points nearly coincide on the circle of axes. Those of the
+/// convection have mirror planes in faces.
+TEST(DegenerateCurves, PointsThatOnlyTheShiftSeparatesAreOrdered) {
+  for (const bool convection : {false, true}) {
+    TensorField field = convection ? generate_rayleigh_benard(grid(8)) : generate_abc(grid(8, 0.2));
+    take_symmetric_part(field);
+    const Extraction e = extract_curves(field);
+    EXPECT_TRUE(e.certified());
+    EXPECT_TRUE(e.curves_shifted);
+    for (const Feature f : kFeatures) {
+      const CurveTopology t = topology(e.mesh(f));
+      EXPECT_GT(t.components, 2u);
+      EXPECT_EQ(t.branches, 0u);
+      EXPECT_EQ(t.ends, 2 * (t.components - t.closed));
+    }
+  }
+}
+
 TEST(DegenerateCurves, OtherFeaturesAreSurfacesAsBefore) {
   const TensorField field = generate_symmetric(grid(4, 0.2, 3));
   ExtractionOptions options;
