@@ -154,11 +154,12 @@ class FaceSearch {
     const auto place = forms(0, 5), axis = forms(15, 3);
     const bool high = precision_ == AxisPrecision::High;
     constexpr unsigned kMostBits = 5120;
-    constexpr int kOfWeights = -44;
+    constexpr int kOfWeights = -44, kKept = 96;
     for (unsigned bits = high ? 640 : 80; bits <= kMostBits; bits *= 2) {
       roots.refine(r, bits);
-      const auto weights = shares(enclosures(place, roots.roots()[r]));
-      const auto n = enclosures(axis, roots.roots()[r]);
+      const auto weights = shares(enclosures(place, roots.roots()[r], kKept));
+      const auto n =
+          enclosures(axis, roots.roots()[r], high ? static_cast<int>(kRangeBits) : kKept);
       if (weights.empty() || !are_narrow(n, high ? -400 : -44)) continue;
       if (std::ranges::any_of(
               weights, [](const Range& x) { return x.hi - x.lo > std::ldexp(1.0, kOfWeights); }))

@@ -61,7 +61,7 @@ long exponent_of(const mpz_class& x) {
 }  // namespace
 
 std::vector<ExactRange> enclosures(std::span<const std::vector<mpz_class>> forms,
-                                   const RootInterval& interval) {
+                                   const RootInterval& interval, int bits) {
   std::vector<IntegerRange> integers;
   long shift = std::numeric_limits<long>::min();
   for (const auto& form : forms) {
@@ -69,9 +69,14 @@ std::vector<ExactRange> enclosures(std::span<const std::vector<mpz_class>> forms
     shift = std::max({shift, exponent_of(integers.back().lo), exponent_of(integers.back().hi)});
   }
   std::vector<ExactRange> result;
-  for (const IntegerRange& r : integers)
-    result.push_back({times_power_of_two(to_exact(r.lo), static_cast<int>(-shift)),
-                      times_power_of_two(to_exact(r.hi), static_cast<int>(-shift))});
+  const auto dropped = static_cast<mp_bitcnt_t>(std::max(0L, shift - bits));
+  const int exponent = static_cast<int>(static_cast<long>(dropped) - shift);
+  for (IntegerRange& r : integers) {
+    mpz_fdiv_q_2exp(r.lo.get_mpz_t(), r.lo.get_mpz_t(), dropped);
+    mpz_cdiv_q_2exp(r.hi.get_mpz_t(), r.hi.get_mpz_t(), dropped);
+    result.push_back({times_power_of_two(to_exact(r.lo), exponent),
+                      times_power_of_two(to_exact(r.hi), exponent)});
+  }
   return result;
 }
 
