@@ -166,11 +166,9 @@ bool AxisCircle<NT>::is_between(const Turn& turn, const Turn& low_end, const Tur
   const auto [u, v] = direction_at(turn);
   const auto t = turn_of_direction<NT>(NT(u), NT(v));
   if (!t) return false;
-  const auto within = [&](const NT& x) {
-    return proven_sign(NT(x - NT(low_end))) == Sign::Positive &&
-           proven_sign(NT(NT(high_end) - x)) == Sign::Positive;
-  };
-  return within(*t) || within(*t + NT(4.0));
+  const bool after = proven_sign(NT(*t - NT(low_end))) == Sign::Positive;
+  const bool before = proven_sign(NT(NT(high_end) - *t)) == Sign::Positive;
+  return low_end < high_end ? after && before : after || before;
 }
 
 /// With e_0 the direction in the plane n_i = 0, e = |q| e_0 - sign(q) (w.e_0) z has w.e = 0; then

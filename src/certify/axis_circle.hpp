@@ -42,7 +42,8 @@ class AxisCircle {
   /// different ones, or that cannot be told.
   enum class Side : std::uint8_t { Unknown, Outside, AllPositive, AllNegative };
   Side side_at(const Turn& turn, int view) const;
-  /// Whether the direction that `side_at` takes for a turn lies strictly between two turns.
+  /// Whether the direction that `side_at` takes for a turn is proven to lie after `low` and before
+  /// `high`, on the way that grows from the one to the other; where high <= low, it passes zero.
   bool is_between(const Turn& turn, const Turn& low, const Turn& high) const;
 
   /// The barycentric coordinates at a turn, in doubles.

@@ -108,7 +108,8 @@ class CellLink {
       for (std::size_t n = 0; n < order.points.size(); ++n) {
         const Turn low = order.turns[n].hi, high = end_of_gap(order, n);
         const Turn turn = low + Turn(part) * (high - low);
-        if (!circle_->is_between(turn, low, high)) continue;
+        const Turn& next = order.turns[order.goes_around(n) ? 0 : n + 1].lo;
+        if (!circle_->is_between(turn, low, next)) continue;
         const Side side = circle_->side_at(turn, order.view);
         if (side == Side::Unknown) continue;
         order.inside_after_first = (side != Side::Outside) == (n % 2 == 0);

@@ -131,10 +131,13 @@ class CurveSearch {
     CellArcs arcs = link_degenerate_points(field, tet.vertices, points);
     if (arcs.obstacle != CurveObstacle::Order) return arcs;
     points.clear();
-    for (std::size_t k = 0; k < 4; ++k)
-      if (!points_[tet.faces[k]].points.empty())
-        add_points(isolate_degenerate_points(field, faces_[tet.faces[k]], AxisPrecision::High), k,
-                   points);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::uint32_t f = tet.faces[k];
+      if (points_[f].points.empty()) continue;
+      const FacePoints face = isolate_degenerate_points(field, faces_[f], AxisPrecision::High);
+      if (face.obstacle != CurveObstacle::None) return {{}, face.obstacle};
+      add_points(face, k, points);
+    }
     return link_degenerate_points(field, tet.vertices, points, AxisPrecision::High);
   }
   static void add_points(const FacePoints& face, std::size_t opposite,
