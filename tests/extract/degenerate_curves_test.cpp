@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
+#include <random>
 
 #include "../oracle/symmetric_oracle.hpp"
 #include "fields.hpp"
@@ -223,6 +223,28 @@ TEST(DegenerateCurves, PointsThatOnlyTheShiftSeparatesAreOrdered) {
       EXPECT_EQ(t.ends, 2 * (t.components - t.closed));
     }
   }
+}
+
+/// Tensors of small integers on few cells: every kind of coincidence.
+TEST(DegenerateCurves, SmallIntegersAreCertifiedAndClosed) {
+  std::mt19937_64 random(21);
+  int shifted = 0;
+  for (int n = 0; n < 20; ++n) {
+    TensorField field = generate_symmetric(grid(1 + n % 3, n % 2 == 0 ? 0 : 0.2));
+    const auto digit = [&] {
+      return static_cast<double>(static_cast<int>(random() % (3 + 2 * (n % 4))) - 1 - n % 4);
+    };
+    for (Tensor<double>& t : field.tensors) {
+      const double xx = digit(), yy = digit(), zz = digit(), yz = digit();
+      const double xy = n % 5 == 0 ? 0 : digit(), xz = n % 7 == 0 ? 0 : digit();
+      t = {xx, xy, xz, xy, yy, yz, xz, yz, zz};
+    }
+    const Extraction e = extract_curves(field);
+    EXPECT_TRUE(e.certified()) << n;
+    shifted += e.curves_shifted;
+    for (const Feature f : kFeatures) expect_closed_in_the_box(e.mesh(f));
+  }
+  EXPECT_GT(shifted, 8);
 }
 
 TEST(DegenerateCurves, OtherFeaturesAreSurfacesAsBefore) {
