@@ -99,7 +99,8 @@ TEST(Symmetric, OtherFormatsAndArraysKnowCurves) {
   const Extracted e = extract(make_field(directory, "symmetric", 3), out,
                               {"--format", "vtp,ply,obj,stl", "--arrays", "eigenvalues,magnitude"});
   EXPECT_EQ(e.outcome.code, 0);
-  EXPECT_THAT(file_content(out / "degenerate-planar.obj"), testing::ContainsRegex("\nl [0-9]+ [0-9]+\n"));
+  EXPECT_THAT(file_content(out / "degenerate-planar.obj"),
+              testing::ContainsRegex("\nl [0-9]+ [0-9]+\n"));
   EXPECT_THAT(file_content(out / "degenerate-planar.ply"), HasSubstr("element edge"));
 }
 
