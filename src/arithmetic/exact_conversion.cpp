@@ -50,6 +50,13 @@ std::vector<mpz_class> to_integers(std::span<const double> c) {
   return to_integers(std::span<const Exact>(exact));
 }
 
+Exact to_exact(const mpz_class& n) {
+  // CGAL 5.5's conversion of an integer loses its sign, and does not know zero.
+  if (sgn(n) == 0) return Exact(0);
+  const Exact size{mpz_class(abs(n))};
+  return sgn(n) > 0 ? size : -size;
+}
+
 double to_double_approx(const Exact& x, int shift) {
   if (x.is_zero()) return 0.0;
   const auto [f, e] = mantissa_and_exponent(x);

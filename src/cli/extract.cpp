@@ -17,6 +17,7 @@
 #include "staged_directory.hpp"
 #include "stopwatch.hpp"
 #include "triplex/extract/extraction.hpp"
+#include "triplex/field/symmetric.hpp"
 #include "triplex/io/atomic_file.hpp"
 #include "triplex/io/read_field.hpp"
 #include "triplex/io/write_cells.hpp"
@@ -38,6 +39,7 @@ struct Steps {
 TensorField read_checked(const ExtractRequest& request, InputRepairs& repairs, Steps& steps) {
   steps.progress.show("reading and checking");
   TensorField field = read_field(request.field, request.reading, &repairs);
+  if (request.symmetric) take_symmetric_part(field);
   steps.timing.read = steps.step.lap();
   throw_if_interrupted();
   return field;
@@ -191,6 +193,9 @@ void add_extract(CLI::App& program, Action& action) {
       ->delimiter(',')
       ->type_name("A,B,...")
       ->default_str("vtp");
+  command->add_flag(
+      "--symmetric", request->symmetric,
+      "Take the symmetric parts of the tensors; their degenerate features are curves");
   command->add_flag("--domains", request->domains,
                     "Also domains.vtu: the domain cut by all pages into cells");
   add_periodic_option(*command, request->periodic,
@@ -211,6 +216,7 @@ void add_extract(CLI::App& program, Action& action) {
       "  triplex extract flow.vtu -o flow\n"
       "  triplex extract flow.vtu -o flow --features degenerate-linear,triple-curve\n"
       "  triplex extract flow.vtu -o flow --gradient-of U\n"
+      "  triplex extract beam.vtu -o beam --symmetric\n"
       "  triplex extract flow.vtu -o flow --features none --mode 1/2,-,+ --mode 1/2,-,-\n"
       "DIR gets one file per feature (empty ones too), nodes.vtp, features.vtpc for all of them, "
       "and report.json.");

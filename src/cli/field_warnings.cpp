@@ -18,7 +18,8 @@ void add_rounding(Warnings& warnings, const FieldStatistics& s) {
   }
   if (s.asymmetry_is_rounding()) {
     warnings.emplace_back(
-        "the tensors are symmetric up to rounding; complex domains have no meaning");
+        "the tensors are symmetric up to rounding; complex domains have no meaning, and extract "
+        "--symmetric takes the symmetric parts");
   }
 }
 

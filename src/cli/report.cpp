@@ -58,6 +58,7 @@ Json options_json(const ExtractRequest& request) {
   json.update({{"arrays", request.arrays},
                {"formats", formats},
                {"periodic", request.periodic},
+               {"symmetric", request.symmetric},
                {"domains", request.domains},
                {"max_bisections", request.max_bisections},
                {"threads", request.threads},
@@ -81,14 +82,29 @@ Json surface_json(const FeatureSummary& summary) {
           {"unresolved", summary.unresolved}};
 }
 
-Json curve_json(const FeatureSummary& summary, const SpineAccuracy& accuracy) {
+Json curve_json(const FeatureSummary& summary) {
   const CurveTopology& c = summary.curve;
-  return {{"vertices", c.vertices},           {"segments", c.segments},
-          {"components", c.components},       {"closed", c.closed},
-          {"open", c.components - c.closed},  {"length", summary.measure},
-          {"largest_error", accuracy.error},  {"largest_error_in_face", accuracy.coordinate_error},
-          {"proven_points", accuracy.proven}, {"unproven_points", accuracy.unproven},
+  return {{"vertices", c.vertices},          {"segments", c.segments},
+          {"components", c.components},      {"closed", c.closed},
+          {"open", c.components - c.closed}, {"length", summary.measure},
           {"unresolved", summary.unresolved}};
+}
+
+Json triple_curve_json(const FeatureSummary& summary, const SpineAccuracy& accuracy) {
+  Json json = curve_json(summary);
+  json["largest_error"] = accuracy.error;
+  json["largest_error_in_face"] = accuracy.coordinate_error;
+  json["proven_points"] = accuracy.proven;
+  json["unproven_points"] = accuracy.unproven;
+  return json;
+}
+
+/// The degenerate features of symmetric tensors.
+Json degenerate_curve_json(const FeatureSummary& summary) {
+  Json json = curve_json(summary);
+  json["ends"] = summary.curve.ends;
+  json["certified"] = summary.unresolved == 0;
+  return json;
 }
 
 Json features_json(const Extraction& extraction, const FeatureSummaries& summaries) {
@@ -96,7 +112,8 @@ Json features_json(const Extraction& extraction, const FeatureSummaries& summari
   for (const Feature f : reading_order(extraction.requested)) {
     const FeatureRow& row = extraction.table.row(f);
     const FeatureSummary& summary = summaries[index(f)];
-    json[row.name] = row.kind == FeatureKind::Curve ? curve_json(summary, extraction.spine_accuracy)
+    json[row.name] = contains(extraction.curves, f) ? degenerate_curve_json(summary)
+                     : summary.is_curve ? triple_curve_json(summary, extraction.spine_accuracy)
                                                     : surface_json(summary);
   }
   return json;
@@ -156,7 +173,8 @@ FeatureSummaries summarize(const Extraction& extraction) {
   for (const Feature f : reading_order(extraction.requested)) {
     const FeatureMesh& mesh = extraction.mesh(f);
     FeatureSummary& summary = summaries[index(f)];
-    if (f == Feature::TripleCurve) {
+    summary.is_curve = f == Feature::TripleCurve || contains(extraction.curves, f);
+    if (summary.is_curve) {
       summary.curve = with_copies_identified(mesh.segments, mesh, [&](const auto& segments) {
         return curve_topology(segments, mesh.points.size());
       });
@@ -195,6 +213,7 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
                           {"tets", refinement.tets}};
   report["sign_stages"] = {
       {"filter", stages.filter}, {"interval", stages.interval}, {"exact", stages.exact}};
+  if (extraction.curves != 0) report["symmetric"] = {{"shifted", extraction.curves_shifted}};
   report["features"] = features_json(extraction, summaries);
   if (request.domains) report["domains"] = domains_json(extraction.domains);
   report["nodes"] = nodes_json(extraction);
@@ -210,16 +229,18 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
                         {"topology", timing.topology},
                         {"write", timing.write},
                         {"total", timing.total}};
+  if (extraction.curves != 0) report["timing_s"]["curves"] = extraction.timing.curves_s;
   report["peak_memory_bytes"] = peak_memory_bytes();
   return report;
 }
 
 namespace {
 
-/// Nothing if no degenerate surface was asked for.
+/// Nothing if no degenerate surface was asked for, or the tensors are symmetric.
 std::string nodes_line(const Extraction& extraction) {
-  if (!contains(extraction.requested, Feature::DegenerateLinear) &&
-      !contains(extraction.requested, Feature::DegeneratePlanar))
+  const FeatureSet surfaces = extraction.requested & ~extraction.curves;
+  if (!contains(surfaces, Feature::DegenerateLinear) &&
+      !contains(surfaces, Feature::DegeneratePlanar))
     return {};
   const auto shared = std::ranges::count(extraction.nodes, NodeStatus::Shared, &Node::status);
   const std::size_t undecided = extraction.nodes_undecided.size();
@@ -242,7 +263,7 @@ std::string make_table(const Extraction& extraction, const FeatureSummaries& sum
   for (const Feature f : reading_order(extraction.requested)) {
     const FeatureSummary& summary = summaries[index(f)];
     const std::string& name = extraction.table.row(f).name;
-    if (f == Feature::TripleCurve) {
+    if (summary.is_curve) {
       const CurveTopology& c = summary.curve;
       fmt::format_to(out, kLine, name, width, c.vertices, c.segments, c.components,
                      static_cast<std::int64_t>(c.vertices) - static_cast<std::int64_t>(c.segments),

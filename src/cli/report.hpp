@@ -16,9 +16,10 @@
 
 namespace triplex::cli {
 
-/// One feature in numbers. For the curve `curve` and `measure` (a length) are used, for a surface
+/// One feature in numbers. For a curve `curve` and `measure` (a length) are used, for a surface
 /// `surface` and `measure` (an area).
 struct FeatureSummary {
+  bool is_curve = false;
   SurfaceTopology surface;
   CurveTopology curve;
   double measure = 0;
@@ -44,6 +45,7 @@ struct ExtractRequest {
   std::vector<std::string> periodic;  ///< axes
   std::uint32_t max_bisections = 0;
   unsigned threads = 0;
+  bool symmetric = false;  ///< take the symmetric parts of the tensors
   bool domains = false;
   bool quiet = false;
 };

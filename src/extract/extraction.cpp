@@ -9,11 +9,14 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "domain_cells.hpp"
 #include "feature_mesh.hpp"
 #include "triplex/arithmetic/fp_environment.hpp"
+#include "triplex/extract/degenerate_curves.hpp"
+#include "triplex/field/symmetric.hpp"
 #include "triplex/refine/refine.hpp"
 #include "unresolved.hpp"
 
@@ -121,15 +124,57 @@ SpineAccuracy accuracy_of(const FaceSpinePoints& spine_points) {
   return accuracy;
 }
 
-/// What is certified: what is asked for, and all that cuts the domain if that is.
-FeatureSet certified_features(const ExtractionOptions& options) {
-  return options.domains ? options.features | book_of(options.table) : options.features;
+/// The features that are curves by nature: where tensors are symmetric, D >= 0 everywhere, and the
+/// degenerate ones are no surfaces.
+FeatureSet curves_of(const TensorField& field) {
+  return is_symmetric(field) ? bit(Feature::DegenerateLinear) | bit(Feature::DegeneratePlanar) : 0;
 }
 
-RefineOptions refine_options(const TensorField& field, const ExtractionOptions& options) {
+/// Puts the degenerate curves asked for in the place of surfaces.
+void add_degenerate_curves(const TensorField& field, const RefinedComplex& complex,
+                           const ExtractionOptions& options, Extraction& result) {
+  DegenerateCurves curves = find_degenerate_curves(field, complex, options);
+  result.features[index(Feature::DegenerateLinear)] = std::move(curves.linear);
+  result.features[index(Feature::DegeneratePlanar)] = std::move(curves.planar);
+  result.curves_shifted = curves.shift == Shift::General;
+  for (const CurvesUndecided& tet : curves.undecided) {
+    const std::size_t t = index(tet.tet);
+    const std::int64_t source =
+        field.source_cells.empty() ? static_cast<std::int64_t>(t) : field.source_cells[t];
+    UnresolvedTet open;
+    open.source_cell = source;
+    open.features = tet.features;
+    open.reason = describe(tet.obstacle);
+    open.tet = tet.tet;
+    open.open_cells = 1;  // the tet itself
+    open.open_share = open.smallest_share = 1;
+    for (int k = 0; k < 3; ++k) {
+      Range& extent = open.extent[k];
+      extent = {INFINITY, -INFINITY};
+      for (const VertexId v : field.mesh.tets[t]) {
+        const double x = field.mesh.points[index(v)][k];
+        open.centre[k] += x / 4;
+        extent = {std::min(extent.lo, x), std::max(extent.hi, x)};
+      }
+    }
+    result.unresolved.push_back(std::move(open));
+  }
+  std::stable_sort(result.unresolved.begin(), result.unresolved.end(),
+                   [](const auto& a, const auto& b) { return a.source_cell < b.source_cell; });
+}
+
+/// What is certified by refinement: what is asked for, and all that cuts the domain if that is.
+FeatureSet certified_features(const ExtractionOptions& options, FeatureSet curves) {
+  const FeatureSet all =
+      options.domains ? options.features | book_of(options.table) : options.features;
+  return all & ~curves;
+}
+
+RefineOptions refine_options(const ExtractionOptions& options, FeatureSet certified,
+                             const TensorField& field) {
   RefineOptions r;
   r.table = options.table;
-  r.features = certified_features(options);
+  r.features = certified;
   r.periodic = options.periodic;
   r.max_bisections = options.max_bisections;
   r.max_tets = kGrowth * field.mesh.tets.size() + kRoom;
@@ -146,12 +191,13 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
   };
   Extraction result;
   Stopwatch watch;
-  RefinedComplex complex = refine(field, refine_options(field, options));
+  result.curves = curves_of(field);
+  const FeatureSet certified = certified_features(options, result.curves);
+  RefinedComplex complex = refine(field, refine_options(options, certified, field));
   result.timing.refine_s = watch.lap();
 
   // Vertices, edges, faces, cells.
   report("extract");
-  const FeatureSet certified = certified_features(options);
   const VertexLabels labels = labels_of(complex, options.table);
   const std::vector<std::uint32_t> active = active_leaves(complex, labels);
   SignStages stages = complex.sign_stages;
@@ -163,13 +209,13 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
   result.requested = options.features;
   result.features =
       FeatureMeshBuilder(field, complex, crossings, spine_points, options.keep_tensors)
-          .build(active, options.features);
+          .build(active, options.features & ~result.curves);
   if (options.domains) result.domains = domain_cells(field, complex, crossings, spine_points);
 
   result.timing.extract_s = watch.lap();
 
   report("nodes");
-  NodeSearch search = find_nodes(field, complex, options.features);
+  NodeSearch search = find_nodes(field, complex, options.features & ~result.curves);
   result.nodes = std::move(search.nodes);
   result.nodes_undecided = std::move(search.undecided);
   result.timing.nodes_s = watch.lap();
@@ -180,6 +226,12 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
   result.identical = find_identical(field, complex.field);
   result.unresolved = unresolved_tets(field, complex, result.nodes, result.identical, options);
   result.open_cells = open_cells(field, complex);
+  if (result.curves != 0) {
+    result.timing.extract_s += watch.lap();
+    report("curves");
+    add_degenerate_curves(field, complex, options, result);
+    result.timing.curves_s = watch.lap();
+  }
   for (const Crossing& c : crossings.crossings())
     if (c.error < 1)
       result.largest_crossing_error = std::max(result.largest_crossing_error, c.error);

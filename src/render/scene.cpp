@@ -14,7 +14,9 @@
 #include <vtkPlaneSource.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkStripper.h>
 #include <vtkTextProperty.h>
+#include <vtkTubeFilter.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -23,11 +25,34 @@
 namespace triplex {
 namespace {
 
-constexpr double kFilled = 0.95;  // of the height or width of the picture
+constexpr double kFilled = 0.95;       // of the height or width of the picture
+constexpr double kTubeRadius = 0.003;  // of the diagonal of the domain
 
-void add_feature(vtkRenderer* renderer, const DrawnFeature& drawn, int height) {
+/// Degenerate features of symmetric tensors are curves: a surface that has only lines.
+bool is_curve_of_surfaces(const DrawnFeature& drawn) {
+  return drawn.row->kind == FeatureKind::Page && drawn.mesh->GetNumberOfPolys() == 0 &&
+         drawn.mesh->GetNumberOfLines() > 0;
+}
+
+vtkSmartPointer<vtkPolyData> tubes_around(vtkPolyData* lines, double radius) {
+  vtkNew<vtkStripper> joined;
+  joined->SetInputData(lines);
+  joined->JoinContiguousSegmentsOn();
+  vtkNew<vtkTubeFilter> tubes;
+  tubes->SetInputConnection(joined->GetOutputPort());
+  tubes->SetRadius(radius);
+  tubes->SetNumberOfSides(12);
+  tubes->CappingOn();
+  tubes->Update();
+  return tubes->GetOutput();
+}
+
+void add_feature(vtkRenderer* renderer, const DrawnFeature& drawn, int height, double tube_radius) {
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(drawn.mesh);
+  if (is_curve_of_surfaces(drawn))
+    mapper->SetInputData(tubes_around(drawn.mesh, tube_radius));
+  else
+    mapper->SetInputData(drawn.mesh);
   mapper->ScalarVisibilityOff();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
@@ -80,7 +105,10 @@ void add_legend(vtkRenderer* renderer, const std::vector<DrawnFeature>& features
   legend->SetNumberOfEntries(static_cast<int>(features.size()));
   double black[3] = {0, 0, 0};
   for (std::size_t k = 0; k < features.size(); ++k) {
-    const std::string title(features[k].row->title);
+    std::string title(features[k].row->title);
+    if (is_curve_of_surfaces(features[k]))
+      if (const auto at = title.find("surface"); at != std::string::npos)
+        title.replace(at, 7, "curve");
     legend->SetEntry(static_cast<int>(k), make_swatch(features[k].row->color), title.c_str(),
                      black);
   }
@@ -151,15 +179,15 @@ vtkSmartPointer<vtkRenderer> make_scene(const std::vector<DrawnFeature>& feature
   renderer->SetBackground(1, 1, 1);
   renderer->UseFXAAOn();
   vtkBoundingBox box;
-  for (const DrawnFeature& drawn : features) {
-    add_feature(renderer, drawn, options.height);
-    box.AddBounds(drawn.mesh->GetBounds());
-  }
+  for (const DrawnFeature& drawn : features) box.AddBounds(drawn.mesh->GetBounds());
   if (options.outline) {
     const auto& [x, y, z] = *options.outline;
     box.AddBox(vtkBoundingBox(x[0], x[1], y[0], y[1], z[0], z[1]));
   }
   if (!box.IsValid()) box.SetBounds(0, 1, 0, 1, 0, 1);
+  const double tube_radius = kTubeRadius * box.GetDiagonalLength();
+  for (const DrawnFeature& drawn : features)
+    add_feature(renderer, drawn, options.height, tube_radius);
   add_outline(renderer, box);
   add_legend(renderer, features);
   place_camera(renderer, box, options);

@@ -18,6 +18,9 @@ std::vector<mpz_class> to_integers(std::span<const Exact> c);
 /// \pre every c_i is finite.
 std::vector<mpz_class> to_integers(std::span<const double> c);
 
+/// An integer as an exact number.
+Exact to_exact(const mpz_class& n);
+
 /// x 2^shift as a double. Guarantee: relative error below 2^-52 where the result is a normal
 /// double; beyond that it overflows to infinity or underflows as IEEE doubles do.
 double to_double_approx(const Exact& x, int shift = 0);

@@ -21,7 +21,8 @@
 
 namespace triplex {
 
-/// One feature as an indexed mesh: triangles for a surface, segments for the triple curve.
+/// One feature as an indexed mesh: triangles for a surface, segments for the triple curve and for
+/// the degenerate curves of symmetric tensors.
 /// Watertight by construction: cells share vertices by index. Triangles are consistently oriented:
 /// normals point in the direction in which the angle of (p, q) grows; on a level set, outwards.
 struct FeatureMesh {
@@ -67,9 +68,10 @@ struct RefinementStatistics {
   std::uint64_t rounds = 0, bisections = 0, tets = 0;
 };
 
-/// Seconds of wall time: refinement with certification, the search for nodes, and extraction.
+/// Seconds of wall time: refinement with certification, the search for nodes, the degenerate curves
+/// of symmetric tensors, and extraction.
 struct ExtractionTiming {
-  double refine_s = 0, nodes_s = 0, extract_s = 0;
+  double refine_s = 0, nodes_s = 0, curves_s = 0, extract_s = 0;
 };
 
 /// Called from the calling thread between steps: name of the step, done in [0,1] or < 0 if unknown.
@@ -87,7 +89,7 @@ struct ExtractionOptions {
   /// Fill `Extraction::domains`. All pages of the table and the curve are certified then.
   bool domains = false;
   /// Bisections that one tet of the input may ask for before it is reported as unresolved.
-  std::uint32_t max_bisections = 64;
+  std::uint32_t max_bisections = 256;
   /// 0: all cores.
   unsigned threads = 0;
   ProgressCallback progress;
@@ -101,6 +103,12 @@ struct Interrupted {};
 struct Extraction {
   FeatureTable table;
   FeatureSet requested = 0;
+  /// The surfaces of the table that are curves in this field: the degenerate ones, if all tensors
+  /// are exactly symmetric. Their meshes have segments.
+  FeatureSet curves = 0;
+  /// These curves are those of the field shifted by rounding size, as T is not in general position
+  /// (`Shift`).
+  bool curves_shifted = false;
   std::vector<FeatureMesh> features;  ///< one per row of the table; empty where not asked for
   const FeatureMesh& mesh(Feature f) const { return features[index(f)]; }
   /// The domain cut by all pages of the table. Empty unless `ExtractionOptions::domains`.
