@@ -12,8 +12,13 @@ namespace {
 using Pair = std::array<Interval, 2>;
 using Block = std::array<Pair, 2>;
 
-bool contains_zero(const Interval& x) { return x.inf() <= 0 && x.sup() >= 0; }
-double magnitude(const Interval& x) { return std::max(-x.inf(), x.sup()); }
+// What overflowed and is no interval any more (infinity minus infinity, zero times infinity) counts
+// as all numbers.
+bool is_interval(const Interval& x) { return x.inf() <= x.sup(); }
+bool contains_zero(const Interval& x) { return !(x.inf() > 0 || x.sup() < 0) || !is_interval(x); }
+double magnitude(const Interval& x) {
+  return is_interval(x) ? std::max(-x.inf(), x.sup()) : INFINITY;
+}
 Interval square(const Interval& x) {
   const double m = magnitude(x);
   if (contains_zero(x)) return Interval(0, (Interval(m) * Interval(m)).sup());
@@ -161,13 +166,13 @@ bool compression_is_timelike(std::span<const Tensor<Interval>> tensors,
   }
   const Split a = split(enclosure);
 
-  // The plane {(z, y z)}: y (M - d) = c - (y b) y; the line through (r, 1): (M - d) r = r (c r) - b.
+  // The plane {(z, y z)}: y (M - d) = c - (y b) y; the line through (r, 1): (M - d) r = r (c r) -
+  // b.
   Block shifted = a.block;
   for (std::size_t k = 0; k < 2; ++k) shifted[k][k] -= a.corner;
   const auto k = inverse(shifted);
   if (!k) return false;
-  const auto y =
-      invariant_box(a.row, a.column, [&](const Pair& z) { return row_times(z, *k); });
+  const auto y = invariant_box(a.row, a.column, [&](const Pair& z) { return row_times(z, *k); });
   const auto r = invariant_box({-a.column[0], -a.column[1]}, {-a.row[0], -a.row[1]},
                                [&](const Pair& z) { return times_column(*k, z); });
   if (!y || !r) return false;
@@ -188,12 +193,10 @@ bool compression_is_timelike(std::span<const Tensor<Interval>> tensors,
   Block p;
   for (std::size_t i = 0; i < 2; ++i)
     for (std::size_t j = 0; j < 2; ++j)
-      p[i][j] = d.block[i][j] + d.column[i] * (*y)[j] -
-                (*r)[i] * (d.row[j] + d.corner * (*y)[j]);
+      p[i][j] = d.block[i][j] + d.column[i] * (*y)[j] - (*r)[i] * (d.row[j] + d.corner * (*y)[j]);
   const Pair first = row_times((*normal)[0], p), second = row_times((*normal)[1], p);
-  const Interval discriminant =
-      square(first[0] - second[1]) + Interval(4) * first[1] * second[0];
-  return discriminant.sup() < 0;
+  const Interval discriminant = square(first[0] - second[1]) + Interval(4) * first[1] * second[0];
+  return is_interval(discriminant) && discriminant.sup() < 0;
 }
 
 }  // namespace triplex
