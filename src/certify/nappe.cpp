@@ -42,8 +42,8 @@ std::optional<FormThere<N>> form_at(const Eigen::Matrix3d& tensor,
   FormThere<N> there{*basis, {}, {}};
   const Eigen::Matrix3d inverse = basis->inverse();
   for (int k = 0; k < N - 1; ++k)
-    there.derivatives[k] = traceless_part(
-        (inverse * differences[k] * *basis).template topLeftCorner<2, 2>());
+    there.derivatives[k] =
+        traceless_part((inverse * differences[k] * *basis).template topLeftCorner<2, 2>());
   for (int k = 0; k < N - 1; ++k)
     for (int m = 0; m < N - 1; ++m) {
       const auto &a = there.derivatives[k], &b = there.derivatives[m];
@@ -65,8 +65,7 @@ class Verification {
       for (int k = 1; k < N; ++k)
         derivative_[i] += Interval(direction[k - 1]) * (cell[k][i] - cell[0][i]);
     }
-    for (int i = 0; i < 9; ++i)
-      derivative_approx_(i / 3, i % 3) = middle(derivative_[i]);
+    for (int i = 0; i < 9; ++i) derivative_approx_(i / 3, i % 3) = middle(derivative_[i]);
   }
 
   bool holds(const Cell& cell) {
@@ -157,10 +156,10 @@ std::vector<Direction<N>> directions_approx(const Simplex<N>& simplex) {
 }  // namespace
 
 template <int N>
-bool certifies_nappes(const Simplex<N>& simplex, SignStages& stages) {
-  if (!simplex.filter_usable()) return false;
+std::optional<NappeDirection<N>> nappe_direction(const Simplex<N>& simplex, SignStages& stages) {
+  if (!simplex.filter_usable()) return {};
   const auto directions = directions_approx(simplex);
-  if (directions.empty()) return false;
+  if (directions.empty()) return {};
   stages.count(Stage::Interval);
   IntervalRounding protect;
   std::array<Tensor<Interval>, N> cell;
@@ -169,11 +168,21 @@ bool certifies_nappes(const Simplex<N>& simplex, SignStages& stages) {
     const Interval error(-v.bounds.error, v.bounds.error);
     for (int k = 0; k < 9; ++k) cell[i][k] = Interval(v.a[k]) + error;
   }
-  return std::ranges::any_of(directions, [&](const Direction<N>& d) {
-    return Verification<N>(cell, d).holds(cell);
-  });
+  for (const Direction<N>& d : directions) {
+    if (!Verification<N>(cell, d).holds(cell)) continue;
+    NappeDirection<N> weights;
+    std::copy(d.begin(), d.end(), weights.begin());
+    return weights;
+  }
+  return {};
+}
+template <int N>
+bool certifies_nappes(const Simplex<N>& simplex, SignStages& stages) {
+  return nappe_direction(simplex, stages).has_value();
 }
 
+template std::optional<NappeDirection<3>> nappe_direction<3>(const Simplex<3>&, SignStages&);
+template std::optional<NappeDirection<4>> nappe_direction<4>(const Simplex<4>&, SignStages&);
 template bool certifies_nappes<3>(const Simplex<3>&, SignStages&);
 template bool certifies_nappes<4>(const Simplex<4>&, SignStages&);
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "triplex/certify/simplex.hpp"
 
 namespace triplex {
@@ -16,5 +19,12 @@ namespace triplex {
 /// certificate of both degenerate pages. N = 3, 4 vertices. Proof: proofs/nappe.md.
 template <int N>
 bool certifies_nappes(const Simplex<N>& simplex, SignStages& stages);
+
+/// The direction of such a certificate, as weights of the differences v_k - v_0, k = 1 ... N - 1.
+template <int N>
+using NappeDirection = std::array<double, N - 1>;
+/// Nothing if no certificate is found.
+template <int N>
+std::optional<NappeDirection<N>> nappe_direction(const Simplex<N>& simplex, SignStages& stages);
 
 }  // namespace triplex
