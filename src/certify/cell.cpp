@@ -95,7 +95,7 @@ class SignedSimplex {
                         : sheet.kind == Sheet::Kind::Balanced ? sign_p() != Sign::Zero
                                                               : sign_q() != Sign::Zero;
     if (absent) return true;
-    if (curved && simplex_.has_enclosed_vertex()) return certifies_at_node(sheet);
+    if (curved && simplex_.has_node_vertex()) return certifies_at_node(sheet);
     if (certifies_graph(simplex_, sheet, stages_)) return true;
     if constexpr (N == 2)
       return (!curved || !near_spine) && certifies_one_root(simplex_, sheet, stages_);
@@ -120,9 +120,7 @@ class SignedSimplex {
     return false;
   }
   /// Found once: it serves both degenerate pages, and asks no rung beyond the intervals.
-  bool has_nappes()
-    requires(N > 2)
-  {
+  bool has_nappes() requires(N > 2) {
     if (!nappes_) nappes_ = certifies_nappes(simplex_, stages_);
     return *nappes_;
   }
@@ -296,8 +294,6 @@ class CellCheck {
   void block(Obstacle obstacle, const Simplex<N>& simplex, const Local<N>& local,
              const Measures& measures) {
     if (result_.obstacle != Obstacle::None) return;
-    if constexpr (N < 4)  // edges at a node stay as they are
-      if (simplex.has_enclosed_vertex()) return block(obstacle, *cell_, kWhole, measures);
     result_.obstacle = obstacle;
     const EdgeChoice choice = edge_of_largest_variation(simplex, measures);
     result_.edge = {vertices_[local[choice.edge[0]]], vertices_[local[choice.edge[1]]]};

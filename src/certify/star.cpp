@@ -36,7 +36,7 @@ struct OneSignBeyondNode {
 
 template <int N>
 bool certifies_only_node(const Simplex<N>& simplex, SignStages& stages) {
-  const int node = simplex.enclosed_vertex();
+  const int node = simplex.node_vertex();
   return simplex.decide(OneSignBeyondNode{node, Sign::Positive}, stages) ||
          simplex.decide(OneSignBeyondNode{node, Sign::Negative}, stages);
 }

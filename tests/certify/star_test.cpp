@@ -20,7 +20,7 @@ using test::Wide;
 /// A tet with a node inside that is a vertex, number 4, known up to about rounding.
 struct Star {
   Star(const std::array<Eigen::Matrix3d, 4>& tensors, const test::Weights& where)
-      : tet(tensors), node(tet.field().add_enclosed(OneTet::kVertices, where, 1e-14)), at(where) {}
+      : tet(tensors), node(tet.field().add_node(OneTet::kVertices, where, 1e-14)), at(where) {}
 
   const RefinableField& field() { return tet.field(); }
   OneTet tet;
@@ -148,7 +148,7 @@ TEST(CertifiesStar, RefusesWhatElseIsThere) {
     Star star(tensors, kNode);
     const bool ready = certifies_star(star.tet.cell(), star.node, stages);
     OneTet wide(tensors);
-    const VertexId rough = wide.field().add_enclosed(V, kNode, 0.05);
+    const VertexId rough = wide.field().add_node(V, kNode, 0.05);
     EXPECT_FALSE(certifies_star(wide.cell(), rough, stages));
     if (!ready) continue;
     ++ready_ones;

@@ -62,7 +62,7 @@ TEST(EnclosedVertex, HoldsTheTensorsOfItsWholeEnclosure) {
         std::array<double, 4> centre = {0, part(random), part(random), part(random)};
         centre[0] = 1 - centre[1] - centre[2] - centre[3];
         if (n % 2 == 0) field.keep_tensors();
-        const VertexId v = field.add_enclosed(kTet, centre, radius);
+        const VertexId v = field.add_node(kTet, centre, radius);
         ASSERT_TRUE(field.is_enclosed(v));
         const ApproximateTensor deviator = field.approximate(v);
         const ApproximateTensor tensor = field.approximate_tensor(v);
@@ -99,7 +99,7 @@ TEST(EnclosedVertex, IsNotKnownExactlyAndEndsNoEdgeToHalve) {
   const TensorField input = one_tet(random, 1);
   RefinableField field(input);
   const VertexId middle = *field.add_midpoint(kTet[0], kTet[1]);
-  const VertexId v = field.add_enclosed(kTet, {0.1, 0.2, 0.3, 0.4}, 0x1p-40);
+  const VertexId v = field.add_node(kTet, {0.1, 0.2, 0.3, 0.4}, 0x1p-40);
   const VertexId later = *field.add_midpoint(middle, kTet[2]);
   EXPECT_THROW(field.exact(v), std::logic_error);
   EXPECT_THROW(field.exact_tensor(v), std::logic_error);

@@ -12,7 +12,7 @@ namespace triplex {
 /// by what a node is. Proofs: proofs/star.md.
 
 /// All coefficients of the layers L_2, ..., L_6 have one strict sign: on the simplex D vanishes
-/// nowhere but at its enclosed vertex, a node. N = 2, 3, 4 vertices. \pre it has such a vertex.
+/// nowhere but at its vertex that is a node. N = 2, 3, 4 vertices. \pre it has such a vertex.
 template <int N>
 bool certifies_only_node(const Simplex<N>& simplex, SignStages& stages);
 
