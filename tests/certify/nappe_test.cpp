@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "block_fields.hpp"
+#include "../oracle/block_fields.hpp"
 #include "triplex/certify/exclusion.hpp"
 #include "triplex/certify/graph.hpp"
 #include "triplex/certify/pencil.hpp"
@@ -84,7 +84,7 @@ constexpr std::array<double, 4> kCentre = {0.25, 0.25, 0.25, 0.25};
 
 TEST_F(NappeTest, CertifiedLinesLeaveTheComplexDomainAndEnterItAtMostOnce) {
   Random random(1);
-  int certified = 0, faces = 0, with_gap = 0;
+  int certified = 0, faces = 0;
   for (int n = 0; n < 800; ++n) {
     const Eigen::Matrix3d base = test::random_matrix(random);
     std::array<Eigen::Matrix3d, 4> t;
@@ -94,9 +94,7 @@ TEST_F(NappeTest, CertifiedLinesLeaveTheComplexDomainAndEnterItAtMostOnce) {
     const Simplex<4> cell = tet.cell();
     if (const auto d = nappe_direction(cell, stages_)) {
       ++certified;
-      const Patterns p = patterns(cell, *d, random, kCentre, 20);
-      EXPECT_EQ(p.wrong, 0) << n;
-      with_gap += p.with_gap > 0;
+      EXPECT_EQ(patterns(cell, *d, random, kCentre, 20).wrong, 0) << n;
     }
     const Simplex<3> face(cell, {0, 1, 2});
     if (const auto d = nappe_direction(face, stages_)) {
@@ -106,7 +104,6 @@ TEST_F(NappeTest, CertifiedLinesLeaveTheComplexDomainAndEnterItAtMostOnce) {
   }
   EXPECT_GT(certified, 40);
   EXPECT_GT(faces, 40);
-  EXPECT_GT(with_gap, 0);
 }
 
 /// Through a node and next to it: the two nappes touch, and every line meets each at most once.

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "block_fields.hpp"
+#include "../oracle/block_fields.hpp"
 #include "triplex/certify/exclusion.hpp"
 #include "triplex/certify/graph.hpp"
 #include "triplex/feature/feature_table.hpp"

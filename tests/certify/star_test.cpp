@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "block_fields.hpp"
+#include "../oracle/block_fields.hpp"
 #include "triplex/certify/nappe.hpp"
 
 namespace triplex {

@@ -94,7 +94,42 @@ TEST(EnclosedVertex, HoldsTheTensorsOfItsWholeEnclosure) {
       }
 }
 
-TEST(EnclosedVertex, IsNotKnownExactlyAndEndsNoEdgeToHalve) {
+/// Edges at a node may be halved again and again; the enclosures of the midpoints hold too.
+TEST(EnclosedVertex, MidpointsAreEnclosedAsWell) {
+  Random random(3);
+  for (int n = 0; n < 50; ++n) {
+    const TensorField input = one_tet(random, 1);
+    RefinableField field(input);
+    const std::array<double, 4> centre = {0.1, 0.2, 0.3, 0.4};
+    const double radius = 0x1p-30;
+    const VertexId node = field.add_node(kTet, centre, radius);
+    const auto x = point_of_enclosure(random, centre, radius);
+    VertexId end = kTet[n % 4];
+    std::array<Exact, 4> y;
+    y[n % 4] = Exact(1);
+    const Exact unit(std::ldexp(1.0, field.scale_exponent()));
+    int halvings = 0;
+    for (; halvings < 60; ++halvings) {
+      const auto middle =
+          n % 2 == 0 ? field.add_midpoint(node, end) : field.add_midpoint(end, node);
+      if (!middle) break;
+      ASSERT_TRUE(field.is_enclosed(*middle));
+      ASSERT_FALSE(field.is_node(*middle));
+      for (std::size_t i = 0; i < 4; ++i) y[i] = Exact(0.5) * (x[i] + y[i]);
+      const ApproximateTensor got = field.approximate(*middle);
+      for (std::size_t k = 0; k < 9; ++k) {
+        Exact a;
+        for (std::size_t i = 0; i < 4; ++i) a = a + unit * y[i] * field.exact(kTet[i])[k];
+        ASSERT_TRUE(within(a, got.a[k], got.bounds.error)) << halvings;
+      }
+      end = *middle;  // on towards the node
+    }
+    EXPECT_GT(halvings, 10);
+    EXPECT_LT(halvings, 40);  // until an edge is no longer than its enclosures
+  }
+}
+
+TEST(EnclosedVertex, IsNotKnownExactly) {
   Random random(2);
   const TensorField input = one_tet(random, 1);
   RefinableField field(input);
@@ -105,10 +140,13 @@ TEST(EnclosedVertex, IsNotKnownExactlyAndEndsNoEdgeToHalve) {
   EXPECT_THROW(field.exact_tensor(v), std::logic_error);
   for (const VertexId other : {kTet[0], kTet[1], middle, later}) {
     EXPECT_FALSE(field.is_enclosed(other));
+    EXPECT_FALSE(field.is_node(other));
     EXPECT_NO_THROW(field.exact(other));
-    EXPECT_FALSE(field.add_midpoint(v, other));
-    EXPECT_FALSE(field.add_midpoint(other, v));
   }
+  EXPECT_TRUE(field.is_node(v));
+  const VertexId enclosed = *field.add_midpoint(middle, v);
+  EXPECT_THROW(field.exact(enclosed), std::logic_error);
+  EXPECT_NEAR(field.position(enclosed)[2], 0.2, 1e-12);
   EXPECT_EQ(field.corners(v), std::vector<VertexId>(kTet.begin(), kTet.end()));
   const Point x = field.position(v);
   EXPECT_NEAR(x[0], 0.2 + 0.6 + 1.2, 1e-12);
