@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "block.hpp"
+#include "triplex/bernstein/discriminant.hpp"
 
 namespace triplex {
 namespace {
@@ -13,6 +14,12 @@ Eigen::Matrix3d to_eigen(const Tensor<double>& t) {
   Eigen::Matrix3d m;
   for (int i = 0; i < 9; ++i) m(i / 3, i % 3) = t[static_cast<std::size_t>(i)];
   return m;
+}
+
+/// D > 0, of a deviator.
+bool is_real_approx(const Eigen::Matrix3d& a) {
+  const double p = -(a * a).trace() / 2, q = a.determinant();
+  return -4 * p * p * p - 27 * q * q > 0;
 }
 
 /// Weights of the differences A_k - A_0, k = 1 ... N-1: a direction in the affine hull.
@@ -69,7 +76,7 @@ class Verification {
   }
 
   bool holds(const Cell& cell) {
-    if (holds_at_once(cell)) return true;
+    if (holds_at_once(cell) || is_real(cell)) return true;
     if ((cells_left_ -= 2) < 0) return false;
     const auto [a, b] = longest_edge(cell);
     Tensor<Interval> half;
@@ -85,22 +92,28 @@ class Verification {
  private:
   static double middle(const Interval& x) { return x.inf() + (x.sup() - x.inf()) / 2; }
 
+  /// D > 0 throughout: nothing is asked there.
+  static bool is_real(const Cell& cell) {
+    const auto minus_d = minus_discriminant(forms_of<Interval, N>(cell));
+    return std::ranges::all_of(minus_d, [](const Interval& d) { return d.sup() < 0; });
+  }
+
   bool holds_at_once(const Cell& cell) {
     Eigen::Matrix3d centre = Eigen::Matrix3d::Zero();
     for (const auto& tensor : cell)
       for (int i = 0; i < 9; ++i) centre(i / 3, i % 3) += middle(tensor[i]) / N;
     auto basis = splitting_basis_approx(centre);
-    if (!basis) return stop();
+    if (!basis) return stop_unless_real(centre);
     const Eigen::Matrix2d block =
         (basis->inverse() * derivative_approx_ * *basis).topLeftCorner<2, 2>();
     const auto rotation = rotation_basis_approx(traceless_part(block));
-    if (!rotation) return stop();
+    if (!rotation) return stop_unless_real(centre);
     basis->leftCols<2>() = (basis->leftCols<2>() * *rotation).eval();
     return compression_is_timelike(cell, derivative_, *basis);
   }
-  /// No halving helps where the condition fails at the centre.
-  bool stop() {
-    cells_left_ = 0;
+  /// No halving helps where the condition fails at the centre, and matters.
+  bool stop_unless_real(const Eigen::Matrix3d& centre) {
+    if (!is_real_approx(centre)) cells_left_ = 0;
     return false;
   }
 
@@ -144,9 +157,10 @@ std::vector<Direction<N>> directions_approx(const Simplex<N>& simplex) {
   found.push_back(*best);
   Direction<N> sum = *best;
   for (const auto& corner : a) {
+    if (is_real_approx(corner)) continue;
     const auto form = form_at<N>(corner, differences);
     const auto direction = form ? form->timelike() : std::nullopt;
-    if (!direction) return {};  // not timelike at a corner: no direction serves
+    if (!direction) return {};  // not timelike at a complex corner: no direction serves
     sum += direction->dot(*best) < 0 ? Direction<N>(-*direction) : *direction;
   }
   found.push_back(sum.normalized());
