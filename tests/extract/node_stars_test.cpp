@@ -188,36 +188,55 @@ TEST(NodeStars, NeitherNumberingNorThreadsMatter) {
   }
 }
 
-/// The surface at a node is the same with further pages and level sets around; and these are not
-/// drawn to the node.
-TEST(NodeStars, FurtherFeaturesKeepClearOfNodes) {
+/// The surface at a node is the same with further pages around; and these are not drawn to the
+/// node, also where they are open yet.
+TEST(NodeStars, ModeSurfacesKeepClearOfNodes) {
   GridOptions grid;
   grid.n = 5;
   grid.jitter = 0.2;
-  TensorField field = generate_lorenz(grid);
-  const Extraction alone = extract(field, degenerate_only());
-  ExtractionOptions options = degenerate_only();
-  options.features |= bit(options.table.add_mode({9, 10}, Sign::Negative, Sign::Negative));
-  options.features |= bit(options.table.add_mode({11, 10}, Sign::Negative, Sign::Negative));
-  const Extraction more = extract(field, options);
-  for (const Extraction* e : {&alone, &more}) {
-    ASSERT_TRUE(test::certified(*e, Feature::DegeneratePlanar));
-    expect_double_cones(*e, Feature::DegeneratePlanar);
+  const TensorField field = generate_lorenz(grid);
+  for (const std::uint32_t bisections : {10u, 20u, 400u}) {
+    ExtractionOptions options = degenerate_only(bisections);
+    options.features |= bit(options.table.add_mode({99, 100}, Sign::Negative, Sign::Negative));
+    options.features |= bit(options.table.add_mode({101, 100}, Sign::Negative, Sign::Negative));
+    const Extraction result = extract(field, options);
+    ASSERT_EQ(result.features.size(), static_cast<std::size_t>(options.table.size()));
+    for (std::size_t f = kStandardFeatures; f < result.features.size(); ++f) {
+      EXPECT_FALSE(result.features[f].triangles.empty());
+      EXPECT_TRUE(result.features[f].nodes.empty());
+      for (const Point& x : result.features[f].points)
+        EXPECT_GT(std::hypot(x[0], x[1], x[2] - 263.0 / 9), 1e-6);
+    }
+    if (bisections < 400) continue;
+    ASSERT_TRUE(test::certified(result, Feature::DegeneratePlanar));
+    expect_double_cones(result, Feature::DegeneratePlanar);
+    for (std::size_t f = kStandardFeatures; f < result.features.size(); ++f)
+      EXPECT_TRUE(test::certified(result, static_cast<Feature>(f)));
   }
-  ASSERT_EQ(more.features.size(), static_cast<std::size_t>(options.table.size()));
-  for (std::size_t f = kStandardFeatures; f < more.features.size(); ++f) {
-    EXPECT_TRUE(test::certified(more, static_cast<Feature>(f)));
-    EXPECT_FALSE(more.features[f].triangles.empty());
-    EXPECT_TRUE(more.features[f].nodes.empty());
-    for (const Point& x : more.features[f].points)
-      EXPECT_GT(std::hypot(x[0], x[1], x[2] - 263.0 / 9), 1e-3);
-  }
+}
 
-  // A field without trace, and the traceless surface: which side the node is on is not known.
-  for (Tensor<double>& t : field.tensors) t[8] = -t[0] - t[4];
-  ExtractionOptions traceless = degenerate_only(40);
-  traceless.features |= bit(traceless.table.add_traceless());
-  EXPECT_NO_THROW(extract(field, traceless));
+/// A field without trace, and the traceless surface, which the perturbation moves to one side: at a
+/// node only the corners of its tet can tell to which. (The tensors stay exact here.)
+TEST(NodeStars, TheTracelessSurfaceOfAFieldWithoutTrace) {
+  for (const int n : {3, 5, 6}) {
+    GridOptions grid;
+    grid.n = n;
+    grid.jitter = 0.2;
+    TensorField field = generate_lorenz(grid, {.sigma = 8, .rho = 28, .beta = 3});
+    for (Tensor<double>& t : field.tensors) {
+      for (const std::size_t k : {0u, 4u, 8u}) t[k] += 4;
+      ASSERT_EQ(t[0] + t[4] + t[8], 0);
+    }
+    ExtractionOptions options = degenerate_only(100);
+    const Extraction alone = extract(field, options);
+    EXPECT_GT(alone.certificates.radial, 0u);
+    options.features |= bit(options.table.add_traceless());
+    std::optional<Extraction> result;
+    ASSERT_NO_THROW(result = extract(field, options));
+    EXPECT_EQ(result->certificates.radial, alone.certificates.radial);
+    EXPECT_TRUE(result->features.back().triangles.empty());
+    EXPECT_TRUE(test::certified(*result, static_cast<Feature>(result->features.size() - 1)));
+  }
 }
 
 }  // namespace
