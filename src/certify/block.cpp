@@ -12,8 +12,13 @@ namespace {
 using Pair = std::array<Interval, 2>;
 using Block = std::array<Pair, 2>;
 
-bool contains_zero(const Interval& x) { return x.inf() <= 0 && x.sup() >= 0; }
-double magnitude(const Interval& x) { return std::max(-x.inf(), x.sup()); }
+// What overflowed and is no interval any more (infinity minus infinity, zero times infinity) counts
+// as all numbers.
+bool is_interval(const Interval& x) { return x.inf() <= x.sup(); }
+bool contains_zero(const Interval& x) { return !(x.inf() > 0 || x.sup() < 0) || !is_interval(x); }
+double magnitude(const Interval& x) {
+  return is_interval(x) ? std::max(-x.inf(), x.sup()) : INFINITY;
+}
 Interval square(const Interval& x) {
   const double m = magnitude(x);
   if (contains_zero(x)) return Interval(0, (Interval(m) * Interval(m)).sup());
@@ -101,9 +106,8 @@ std::optional<Pair> invariant_box(const Pair& a, const Pair& b, const Apply& app
 }
 
 /// The hull of tensors, in a basis.
-Split enclosure_in(std::span<const Tensor<Interval>> tensors,
-                                  const SplittingBasis& basis,
-                                  const Tensor<Interval>& inverse_basis) {
+Split enclosure_in(std::span<const Tensor<Interval>> tensors, const SplittingBasis& basis,
+                   const Tensor<Interval>& inverse_basis) {
   Tensor<Interval> enclosure = in_basis(tensors[0], basis, inverse_basis);
   for (const Tensor<Interval>& t : tensors.subspan(1)) {
     const Tensor<Interval> other = in_basis(t, basis, inverse_basis);
@@ -213,12 +217,10 @@ bool compression_is_timelike(std::span<const Tensor<Interval>> tensors,
   Block p;
   for (std::size_t i = 0; i < 2; ++i)
     for (std::size_t j = 0; j < 2; ++j)
-      p[i][j] = d.block[i][j] + d.column[i] * (*y)[j] -
-                (*r)[i] * (d.row[j] + d.corner * (*y)[j]);
+      p[i][j] = d.block[i][j] + d.column[i] * (*y)[j] - (*r)[i] * (d.row[j] + d.corner * (*y)[j]);
   const Pair first = row_times((*normal)[0], p), second = row_times((*normal)[1], p);
-  const Interval discriminant =
-      square(first[0] - second[1]) + Interval(4) * first[1] * second[0];
-  return discriminant.sup() < 0;
+  const Interval discriminant = square(first[0] - second[1]) + Interval(4) * first[1] * second[0];
+  return is_interval(discriminant) && discriminant.sup() < 0;
 }
 
 std::optional<SplittingBasis> block_basis_approx(const Eigen::Matrix3d& tensor, int axis) {
@@ -228,7 +230,8 @@ std::optional<SplittingBasis> block_basis_approx(const Eigen::Matrix3d& tensor, 
   const Eigen::EigenSolver<Eigen::Matrix2d> solver(m);
   if (solver.info() != Eigen::Success || solver.eigenvalues()[0].imag() != 0) return {};
   const Eigen::Vector2d l = solver.eigenvalues().real();
-  const int near = std::fabs(l[0] - tensor(axis, axis)) < std::fabs(l[1] - tensor(axis, axis)) ? 0 : 1;
+  const int near =
+      std::fabs(l[0] - tensor(axis, axis)) < std::fabs(l[1] - tensor(axis, axis)) ? 0 : 1;
   SplittingBasis s = SplittingBasis::Zero();
   const Eigen::Matrix2d vectors = solver.eigenvectors().real();
   s(i, 0) = vectors(0, near), s(j, 0) = vectors(1, near);

@@ -43,9 +43,9 @@ struct ZeroCouplings {
 
 /// Proves for every tensor in the hull of `tensors` that the first two vectors of the basis come
 /// near an invariant plane, and of the restricted tensor's entries beside the diagonal that those
-/// that are zero on the plane have a rate of change of one sign along all the derivatives; the other
-/// one, or its rate, has that sign too. \pre inside an `IntervalRounding`.
-/// Source: proofs/block_plane.md.
+/// that are zero on the plane have a rate of change of one sign along all the derivatives; the
+/// other one, or its rate, has that sign too. \pre inside an `IntervalRounding`. Source:
+/// proofs/block_plane.md.
 bool couplings_agree(std::span<const Tensor<Interval>> tensors,
                      std::span<const Tensor<Interval>> derivatives, const SplittingBasis& basis,
                      const ZeroCouplings& zero);

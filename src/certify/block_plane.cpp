@@ -30,8 +30,8 @@ NT discriminant_of_block(const Tensor<NT>& a, const Tensor<NT>& b, const InPlane
 /// |coefficient| <= 4 M^2 + 4 M^2 for entries up to M; they change it by 8 ((M + e)^2 - M^2), and
 /// at most 5 roundings fall on one term.
 double discriminant_error(const EntryBounds& b) {
-  return (1 + 0x1p-20) * (8 * b.error * (2 * b.magnitude + b.error) +
-                          gamma(5) * 8 * b.magnitude * b.magnitude);
+  return (1 + 0x1p-20) *
+         (8 * b.error * (2 * b.magnitude + b.error) + gamma(5) * 8 * b.magnitude * b.magnitude);
 }
 
 /// At most one sign change of the layers, for some way to split the vertices in two.

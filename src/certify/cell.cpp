@@ -101,7 +101,8 @@ class SignedSimplex {
                         : sheet.kind == Sheet::Kind::Balanced ? sign_p() != Sign::Zero
                                                               : sign_q() != Sign::Zero;
     if (absent || (!at_node && certifies_graph(simplex_, sheet, stages_))) return true;
-    if (curved && sheet.map.is_identity() && certifies_unperturbed(at_node)) return true;
+    if (curved && !near_spine && sheet.map.is_identity() && certifies_unperturbed(at_node))
+      return true;
     if (at_node) return false;
     if constexpr (N == 2)
       return (!curved || !near_spine) && certifies_one_root(simplex_, sheet, stages_);
@@ -129,9 +130,7 @@ class SignedSimplex {
     return false;
   }
   /// Found once: it serves both degenerate pages, and asks no rung beyond the intervals.
-  bool has_nappes()
-    requires(N > 2)
-  {
+  bool has_nappes() requires(N > 2) {
     if (!nappes_) nappes_ = certifies_nappes(simplex_, stages_);
     return *nappes_;
   }
@@ -151,8 +150,10 @@ FeatureSet possible_features(SignedSimplex<4>& cell, const FeatureTable& table,
   const auto& sheets = table.sheets();
   for (int s = kFlatSheets; s < static_cast<int>(sheets.size()); ++s) {
     const Feature page = table.curved_page(s);
-    // At a node the labels are those of T itself, so the perturbed field does not speak of its page.
-    if (sheets[static_cast<std::size_t>(s)].map.is_identity() && (*cell).has_node_vertex()) continue;
+    // At a node the labels are those of T itself, so the perturbed field does not speak of its
+    // page.
+    if (sheets[static_cast<std::size_t>(s)].map.is_identity() && (*cell).has_node_vertex())
+      continue;
     if (contains(possible, page) &&
         excludes_page(*cell, sheets[static_cast<std::size_t>(s)], stages))
       possible &= ~bit(page);
@@ -308,8 +309,6 @@ class CellCheck {
   void block(Obstacle obstacle, const Simplex<N>& simplex, const Local<N>& local,
              const Measures& measures) {
     if (result_.obstacle != Obstacle::None) return;
-    if constexpr (N < 4)  // edges at a node stay as they are
-      if (simplex.has_enclosed_vertex()) return block(obstacle, *cell_, kWhole, measures);
     result_.obstacle = obstacle;
     const EdgeChoice choice = edge_of_largest_variation(simplex, measures);
     result_.edge = {vertices_[local[choice.edge[0]]], vertices_[local[choice.edge[1]]]};

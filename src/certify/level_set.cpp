@@ -180,6 +180,20 @@ class OutsideVertices {
   std::array<Tensor<double>, 4> approximate_;
 };
 
+/// The side of a vertex that is known by an enclosure only, from the corners of the tet of the
+/// input that holds it: the set is convex, and what lies beyond the traceless plane is convex as
+/// well.
+Verdict side_by_corners(const RefinableField& field, VertexId v, const LevelSet& level,
+                        SignStages& stages) {
+  bool inside = true, outside = level.kind == LevelSet::Kind::Traceless;
+  for (const VertexId corner : field.corners(v)) {
+    const Verdict side = VertexTensor(field, corner).decide(Inside{level}, stages);
+    inside &= side == Verdict::Yes;
+    outside &= side == Verdict::No;
+  }
+  return inside ? Verdict::Yes : outside ? Verdict::No : Verdict::Unknown;
+}
+
 }  // namespace
 
 LevelSides sides_at(const RefinableField& field, VertexId v, const FeatureTable& table,
@@ -188,7 +202,10 @@ LevelSides sides_at(const RefinableField& field, VertexId v, const FeatureTable&
   LevelSides sides;
   for (const FeatureRow& row : table.rows()) {
     if (row.kind != FeatureKind::LevelSet || !contains(requested, row.feature)) continue;
-    switch (tensor.decide(Inside{row.level}, stages)) {
+    Verdict side = tensor.decide(Inside{row.level}, stages);
+    if (side == Verdict::Unknown && field.is_enclosed(v))
+      side = side_by_corners(field, v, row.level, stages);
+    switch (side) {
       case Verdict::Yes:
         sides.inside |= bit(row.feature);
         break;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "block.hpp"
+#include "triplex/bernstein/discriminant.hpp"
 
 namespace triplex {
 namespace {
@@ -13,6 +14,12 @@ Eigen::Matrix3d to_eigen(const Tensor<double>& t) {
   Eigen::Matrix3d m;
   for (int i = 0; i < 9; ++i) m(i / 3, i % 3) = t[static_cast<std::size_t>(i)];
   return m;
+}
+
+/// D > 0, of a deviator.
+bool is_real_approx(const Eigen::Matrix3d& a) {
+  const double p = -(a * a).trace() / 2, q = a.determinant();
+  return -4 * p * p * p - 27 * q * q > 0;
 }
 
 /// Weights of the differences A_k - A_0, k = 1 ... N-1: a direction in the affine hull.
@@ -42,8 +49,8 @@ std::optional<FormThere<N>> form_at(const Eigen::Matrix3d& tensor,
   FormThere<N> there{*basis, {}, {}};
   const Eigen::Matrix3d inverse = basis->inverse();
   for (int k = 0; k < N - 1; ++k)
-    there.derivatives[k] = traceless_part(
-        (inverse * differences[k] * *basis).template topLeftCorner<2, 2>());
+    there.derivatives[k] =
+        traceless_part((inverse * differences[k] * *basis).template topLeftCorner<2, 2>());
   for (int k = 0; k < N - 1; ++k)
     for (int m = 0; m < N - 1; ++m) {
       const auto &a = there.derivatives[k], &b = there.derivatives[m];
@@ -65,12 +72,11 @@ class Verification {
       for (int k = 1; k < N; ++k)
         derivative_[i] += Interval(direction[k - 1]) * (cell[k][i] - cell[0][i]);
     }
-    for (int i = 0; i < 9; ++i)
-      derivative_approx_(i / 3, i % 3) = middle(derivative_[i]);
+    for (int i = 0; i < 9; ++i) derivative_approx_(i / 3, i % 3) = middle(derivative_[i]);
   }
 
   bool holds(const Cell& cell) {
-    if (holds_at_once(cell)) return true;
+    if (holds_at_once(cell) || is_real(cell)) return true;
     if ((cells_left_ -= 2) < 0) return false;
     const auto [a, b] = longest_edge(cell);
     Tensor<Interval> half;
@@ -86,22 +92,28 @@ class Verification {
  private:
   static double middle(const Interval& x) { return x.inf() + (x.sup() - x.inf()) / 2; }
 
+  /// D > 0 throughout: nothing is asked there.
+  static bool is_real(const Cell& cell) {
+    const auto minus_d = minus_discriminant(forms_of<Interval, N>(cell));
+    return std::ranges::all_of(minus_d, [](const Interval& d) { return d.sup() < 0; });
+  }
+
   bool holds_at_once(const Cell& cell) {
     Eigen::Matrix3d centre = Eigen::Matrix3d::Zero();
     for (const auto& tensor : cell)
       for (int i = 0; i < 9; ++i) centre(i / 3, i % 3) += middle(tensor[i]) / N;
     auto basis = splitting_basis_approx(centre);
-    if (!basis) return stop();
+    if (!basis) return stop_unless_real(centre);
     const Eigen::Matrix2d block =
         (basis->inverse() * derivative_approx_ * *basis).topLeftCorner<2, 2>();
     const auto rotation = rotation_basis_approx(traceless_part(block));
-    if (!rotation) return stop();
+    if (!rotation) return stop_unless_real(centre);
     basis->leftCols<2>() = (basis->leftCols<2>() * *rotation).eval();
     return compression_is_timelike(cell, derivative_, *basis);
   }
-  /// No halving helps where the condition fails at the centre.
-  bool stop() {
-    cells_left_ = 0;
+  /// No halving helps where the condition fails at the centre, and matters.
+  bool stop_unless_real(const Eigen::Matrix3d& centre) {
+    if (!is_real_approx(centre)) cells_left_ = 0;
     return false;
   }
 
@@ -145,9 +157,10 @@ std::vector<Direction<N>> directions_approx(const Simplex<N>& simplex) {
   found.push_back(*best);
   Direction<N> sum = *best;
   for (const auto& corner : a) {
+    if (is_real_approx(corner)) continue;
     const auto form = form_at<N>(corner, differences);
     const auto direction = form ? form->timelike() : std::nullopt;
-    if (!direction) return {};  // not timelike at a corner: no direction serves
+    if (!direction) return {};  // not timelike at a complex corner: no direction serves
     sum += direction->dot(*best) < 0 ? Direction<N>(-*direction) : *direction;
   }
   found.push_back(sum.normalized());
@@ -157,10 +170,10 @@ std::vector<Direction<N>> directions_approx(const Simplex<N>& simplex) {
 }  // namespace
 
 template <int N>
-bool certifies_nappes(const Simplex<N>& simplex, SignStages& stages) {
-  if (!simplex.filter_usable()) return false;
+std::optional<NappeDirection<N>> nappe_direction(const Simplex<N>& simplex, SignStages& stages) {
+  if (!simplex.filter_usable()) return {};
   const auto directions = directions_approx(simplex);
-  if (directions.empty()) return false;
+  if (directions.empty()) return {};
   stages.count(Stage::Interval);
   IntervalRounding protect;
   std::array<Tensor<Interval>, N> cell;
@@ -169,11 +182,21 @@ bool certifies_nappes(const Simplex<N>& simplex, SignStages& stages) {
     const Interval error(-v.bounds.error, v.bounds.error);
     for (int k = 0; k < 9; ++k) cell[i][k] = Interval(v.a[k]) + error;
   }
-  return std::ranges::any_of(directions, [&](const Direction<N>& d) {
-    return Verification<N>(cell, d).holds(cell);
-  });
+  for (const Direction<N>& d : directions) {
+    if (!Verification<N>(cell, d).holds(cell)) continue;
+    NappeDirection<N> weights;
+    std::copy(d.begin(), d.end(), weights.begin());
+    return weights;
+  }
+  return {};
+}
+template <int N>
+bool certifies_nappes(const Simplex<N>& simplex, SignStages& stages) {
+  return nappe_direction(simplex, stages).has_value();
 }
 
+template std::optional<NappeDirection<3>> nappe_direction<3>(const Simplex<3>&, SignStages&);
+template std::optional<NappeDirection<4>> nappe_direction<4>(const Simplex<4>&, SignStages&);
 template bool certifies_nappes<3>(const Simplex<3>&, SignStages&);
 template bool certifies_nappes<4>(const Simplex<4>&, SignStages&);
 

@@ -62,11 +62,10 @@ EdgeChoice edge_of_largest_variation(const Simplex<N>& simplex, const Measures& 
     add_variation<N, 6>(d, sum);
   }
   EdgeChoice best{{0, 1}, -1};
-  const int node = simplex.enclosed_vertex();
   int e = 0;
   for (int i = 0; i < N; ++i)
     for (int j = i + 1; j < N; ++j, ++e)
-      if (i != node && j != node && sum[e] > best.variation) best = {{i, j}, sum[e]};
+      if (sum[e] > best.variation) best = {{i, j}, sum[e]};
   return best;
 }
 

@@ -114,7 +114,7 @@ Json features_json(const Extraction& extraction, const FeatureSummaries& summari
     const FeatureSummary& summary = summaries[index(f)];
     json[row.name] = contains(extraction.curves, f) ? degenerate_curve_json(summary)
                      : summary.is_curve ? triple_curve_json(summary, extraction.spine_accuracy)
-                                                    : surface_json(summary);
+                                        : surface_json(summary);
   }
   return json;
 }

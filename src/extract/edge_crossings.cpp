@@ -94,10 +94,10 @@ void EdgeCrossings::locate(const RefinableField& field, const CrossedEdge& edge,
   };
   for (int i = 0; i < edge.pages(); ++i) {
     const Feature page = page_crossed(table_, labels_.sector(edge.ends[0]), edge.rotation, i);
-    set(page, !contains(features, page)         ? EdgeRoot{}
-              : simplex.has_enclosed_vertex() ? EdgeRoot{static_cast<double>(simplex.enclosed_vertex()), 0}
-                                              : find_crossing(simplex, table_, page,
-                                                              edge.rotation > 0));
+    set(page, !contains(features, page) ? EdgeRoot{}
+              : simplex.has_node_vertex() && simplex.block_axis() < 0
+                  ? EdgeRoot{static_cast<double>(simplex.node_vertex()), 0}
+                  : find_crossing(simplex, table_, page, edge.rotation > 0));
   }
   for (FeatureSet rest = edge.levels; rest != 0; rest &= rest - 1) {
     const auto feature = static_cast<Feature>(std::countr_zero(rest));

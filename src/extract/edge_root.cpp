@@ -158,7 +158,8 @@ EdgeRoot find_crossing(const Simplex<2>& edge, const FeatureTable& table, Featur
   if (edge.filter_usable())
     root.error = certified_error([&](double t) { return f.sign_at(t); }, root.t, rising,
                                  f.hopeless_distance(root.t));
-  if (root.error > kWidestBracket) {
+  // Where an end is known by an enclosure only, what the filter leaves open stays open.
+  if (root.error > kWidestBracket && !edge.has_enclosed_vertex()) {
     if (const auto exact = isolate(edge, row, table.sheet(page), root.t)) root = *exact;
   }
   return root;

@@ -94,10 +94,9 @@ CertificateCounts count_certificates(const RefinedComplex& complex, FeatureSet f
       counts.graph += count_bits(leaf.graph);
       counts.unresolved += count_bits(leaf.open);
       counts.spine += leaf.has_spine_proof;
-      counts.radial += !complex.nodes.empty() && leaf.open == 0 &&
-                       std::ranges::any_of(leaf.vertices, [&](VertexId v) {
-                         return complex.field.is_enclosed(v);
-                       });
+      counts.radial +=
+          !complex.nodes.empty() && leaf.open == 0 &&
+          std::ranges::any_of(leaf.vertices, [&](VertexId v) { return complex.field.is_node(v); });
     }
     return counts;
   };

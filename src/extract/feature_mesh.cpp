@@ -68,9 +68,11 @@ void FeatureMeshBuilder::join_crossings_at_nodes() {
   std::unordered_map<VertexId, std::uint32_t> first;
   for (const CrossedEdge& edge : crossings_.edges())
     for (const VertexId end : edge.ends) {
-      if (!complex_.field.is_enclosed(end)) continue;
+      if (!complex_.field.is_node(end)) continue;
       for (int i = 0; i < edge.pages(); ++i) {
         const std::uint32_t crossing = edge.first + static_cast<std::uint32_t>(i);
+        const double t = crossings_.crossings()[crossing].t;
+        if (t != (end == edge.ends[1] ? 1 : 0)) continue;
         joined_[crossing] = first.try_emplace(end, crossing).first->second;
         at_node_[crossing] = true;
       }
@@ -115,12 +117,10 @@ void FeatureMeshBuilder::add_fan(const PatchLoop& loop, std::int64_t source, boo
   const auto same = [](const PatchVertex& a, const PatchVertex& b) {
     return a.on_spine == b.on_spine && a.number == b.number;
   };
-  for_each_triangle(loop, crossings_,
-                    [&](PatchVertex a, PatchVertex b, PatchVertex c) {
-                      a = joined(a), b = joined(b), c = joined(c);
-                      if (!same(a, b) && !same(b, c) && !same(a, c))
-                        out.push_back({{a, b, c}, source, certified});
-                    });
+  for_each_triangle(loop, crossings_, [&](PatchVertex a, PatchVertex b, PatchVertex c) {
+    a = joined(a), b = joined(b), c = joined(c);
+    if (!same(a, b) && !same(b, c) && !same(a, c)) out.push_back({{a, b, c}, source, certified});
+  });
 }
 
 FeatureMesh FeatureMeshBuilder::assemble(Feature feature, const std::vector<Cells>& parts) const {

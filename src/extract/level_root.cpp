@@ -72,7 +72,10 @@ EdgeRoot find_level_crossing(const RefinableField& field, const std::array<Verte
   root.error =
       certified_error([&](double t) { return side_by_filter(level, edge.at(t), bounds, scale); },
                       root.t, !first_inside);
-  return root.error > kWidestBracket ? bisect_exactly(field, ends, level, first_inside) : root;
+  // Where an end is known by an enclosure only, what the filter leaves open stays open.
+  if (root.error <= kWidestBracket || field.is_enclosed(ends[0]) || field.is_enclosed(ends[1]))
+    return root;
+  return bisect_exactly(field, ends, level, first_inside);
 }
 
 }  // namespace triplex

@@ -64,7 +64,8 @@ std::vector<Task> tasks_of(const RefinedComplex& complex, FeatureSet features) {
     for (const VertexId v : leaf.vertices)
       if (at_vertex[index(v)] != 0) set |= features;
   }
-  for (const NodeVertex& node : complex.nodes) open[index(node.tet)] |= bit(node.feature) & features;
+  for (const NodeVertex& node : complex.nodes)
+    open[index(node.tet)] |= bit(node.feature) & features;
   std::vector<Task> tasks;
   for (std::size_t t = 0; t < open.size(); ++t) {
     if (open[t] == 0) continue;

@@ -103,7 +103,8 @@ Tensor<Exact> RefinableField::exact(VertexId v) const { return triple_deviator(e
 template <std::size_t N>
 std::array<Exact, N> RefinableField::exact_combination(
     VertexId v, const std::vector<std::array<double, N>>& of_input) const {
-  if (is_enclosed(v)) throw std::logic_error("the tensor of an enclosed vertex is not known exactly");
+  if (is_enclosed(v))
+    throw std::logic_error("the tensor of an enclosed vertex is not known exactly");
   const Combination c = combination(v);
   std::array<Exact, N> sum;
   for (int i = 0; i < 4; ++i) {
@@ -164,8 +165,8 @@ ApproximateTensor RefinableField::combine_enclosed(const Enclosed& e, bool with_
   ApproximateTensor r{};
   double largest = 0;
   for (std::size_t i = 0; i < 4; ++i) {
-    const ApproximateTensor corner = with_trace ? combine_tensor(e.vertices[i])
-                                                : approximations_[index(e.vertices[i])];
+    const ApproximateTensor corner =
+        with_trace ? combine_tensor(e.vertices[i]) : approximations_[index(e.vertices[i])];
     for (std::size_t k = 0; k < 9; ++k) r.a[k] += e.weights[i] * corner.a[k];
     largest = std::fmax(largest, corner.bounds.magnitude);
     r.bounds.error =
@@ -176,11 +177,33 @@ ApproximateTensor RefinableField::combine_enclosed(const Enclosed& e, bool with_
   return r;
 }
 
-VertexId RefinableField::add_enclosed(const std::array<VertexId, 4>& tet,
-                                      const std::array<double, 4>& centre, double radius) {
+VertexId RefinableField::add_node(const std::array<VertexId, 4>& tet,
+                                  const std::array<double, 4>& centre, double radius) {
+  return add(Enclosed{tet, centre, radius, true});
+}
+
+/// The mean of two weights is rounded once, by 2^-53 at most.
+std::optional<VertexId> RefinableField::add_enclosed_midpoint(VertexId a, VertexId b) {
+  if (!is_enclosed(a)) std::swap(a, b);
+  Enclosed middle{enclosed_.at(a).vertices, {}, enclosed_.at(a).radius / 2, false};
+  const bool both = is_enclosed(b);
+  if (both) middle.radius += enclosed_.at(b).radius / 2;
+  middle.radius = middle.radius * (1 + 0x1p-20) + 0x1p-52;
+  double length = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double from = enclosed_.at(a).weights[i];
+    const double to = both ? enclosed_.at(b).weights[i] : weight(b, middle.vertices[i]);
+    middle.weights[i] = (from + to) / 2;
+    length = std::fmax(length, std::fabs(from - to));
+  }
+  constexpr double kLeastLength = 64;  // radii: what is shorter could not be certified anyway
+  if (!(length > kLeastLength * middle.radius)) return std::nullopt;
+  return add(middle);
+}
+
+VertexId RefinableField::add(const Enclosed& e) {
   const auto v = static_cast<VertexId>(approximations_.size());
   if (enclosed_.empty()) enclosed_from_ = index(v);
-  const Enclosed e{tet, centre, radius};
   midpoints_.emplace_back();
   approximations_.push_back(combine_enclosed(e, false));
   enclosed_.emplace(v, e);
@@ -247,7 +270,7 @@ std::vector<VertexId> RefinableField::corners(VertexId v) const {
 }
 
 std::optional<VertexId> RefinableField::add_midpoint(VertexId a, VertexId b) {
-  if (is_enclosed(a) || is_enclosed(b)) return std::nullopt;
+  if (is_enclosed(a) || is_enclosed(b)) return add_enclosed_midpoint(a, b);
   const std::array<Combination, 2> ends = {combination(a), combination(b)};
   Combination middle;
   middle.depth = std::max(ends[0].depth, ends[1].depth) + 1;

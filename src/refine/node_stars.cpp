@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "triplex/certify/exclusion.hpp"
 #include "triplex/certify/node.hpp"
 #include "triplex/certify/star.hpp"
 
@@ -36,8 +37,7 @@ Sector real_side(const FeatureTable& table, Feature page) {
 NodeStars::NodeStars(RefinedComplex& complex, const FeatureTable& table, FeatureSet features)
     : complex_(complex),
       table_(table),
-      features_(features &
-                (bit(Feature::DegenerateLinear) | bit(Feature::DegeneratePlanar))) {}
+      features_(features & (bit(Feature::DegenerateLinear) | bit(Feature::DegeneratePlanar))) {}
 
 void NodeStars::search(std::vector<TetId> tets, SignStages& stages) {
   if (features_ == 0) return;
@@ -62,8 +62,8 @@ void NodeStars::search(std::vector<TetId> tets, SignStages& stages) {
         centre[i] = x[i].middle();
         radius = std::fmax(radius, std::fmax(x[i].hi - centre[i], centre[i] - x[i].lo));
       }
-      // Roundings here, 2^-53 at most, are covered by what `add_enclosed` adds to the radius.
-      const VertexId v = complex_.field.add_enclosed(vertices[n], centre, radius);
+      // Roundings here, 2^-53 at most, are covered by what `add_node` adds to the radius.
+      const VertexId v = complex_.field.add_node(vertices[n], centre, radius);
       complex_.sectors.push_back(static_cast<std::uint8_t>(real_side(table_, node.feature)));
       if (!complex_.sides.empty())
         complex_.sides.push_back(sides_at(complex_.field, v, table_, table_.level_sets(), stages));
@@ -94,14 +94,31 @@ bool NodeStars::holds(const Leaf& leaf, const Waiting& node) const {
 std::optional<VertexId> NodeStars::ready_in(const Leaf& leaf, SignStages& stages) const {
   const auto waiting = waiting_.find(leaf.input);
   if (waiting == waiting_.end() || waiting->second.empty()) return {};
-  if (std::ranges::any_of(leaf.vertices,
-                          [&](VertexId v) { return complex_.field.is_node_vertex(v); }))
+  const auto is_special = [&](VertexId v) {
+    return complex_.field.is_enclosed(v) || complex_.field.is_node(v);
+  };
+  if (std::ranges::any_of(leaf.vertices, is_special)) return {};
+  const Waiting* held = nullptr;
+  for (const Waiting& node : waiting->second) {
+    if (!holds(leaf, node)) continue;
+    if (held != nullptr) return {};  // the second would stay in a tet around the first
+    held = &node;
+  }
+  if (held == nullptr || !only_its_page_near(leaf, held->vertex, stages) ||
+      !certifies_star(Simplex<4>(complex_.field, leaf.vertices), held->vertex, stages))
     return {};
-  for (const Waiting& node : waiting->second)
-    if (holds(leaf, node) &&
-        certifies_star(Simplex<4>(complex_.field, leaf.vertices), node.vertex, stages))
-      return node.vertex;
-  return {};
+  return held->vertex;
+}
+
+/// Edges at a node are never cut, so nothing else may cross them that a smaller leaf would not
+/// hold: no mode surface, and no level set on a side of which the node is not known to be.
+bool NodeStars::only_its_page_near(const Leaf& leaf, VertexId node, SignStages& stages) const {
+  if (!complex_.sides.empty() && complex_.sides[index(node)].open != 0) return false;
+  const Simplex<4> cell(complex_.field, leaf.vertices);
+  return std::ranges::all_of(table_.sheets(), [&](const Sheet& sheet) {
+    return sheet.kind != Sheet::Kind::Curved || sheet.map.is_identity() ||
+           excludes_page(cell, sheet, stages);
+  });
 }
 
 std::array<Leaf, 4> NodeStars::planted(const Leaf& leaf, VertexId node) {

@@ -38,6 +38,7 @@ class NodeStars {
     std::array<Range, 4> coordinates;
   };
   bool holds(const Leaf& leaf, const Waiting& node) const;
+  bool only_its_page_near(const Leaf& leaf, VertexId node, SignStages& stages) const;
 
   RefinedComplex& complex_;
   const FeatureTable& table_;

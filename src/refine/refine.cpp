@@ -103,7 +103,9 @@ class Refinement {
                                     ? sector_at(complex_.field, VertexId(v), options_.table, stages)
                                     : std::nullopt;
             if (sector) complex_.sectors[v] = static_cast<std::uint8_t>(*sector);
-            if (pages && is_node(complex_.field, VertexId(v))) nodes.local().push_back(VertexId(v));
+            if (pages && !complex_.field.is_enclosed(VertexId(v)) &&
+                is_node(complex_.field, VertexId(v)))
+              nodes.local().push_back(VertexId(v));
             if (level_sets_ != 0)
               complex_.sides[v] =
                   sides_at(complex_.field, VertexId(v), options_.table, level_sets_, stages);
@@ -205,9 +207,8 @@ class Refinement {
     if (replaced.empty()) return;
     std::ranges::sort(replaced);
     for (auto& wishes : wishes_)
-      std::erase_if(wishes, [&](const Wish& w) {
-        return std::ranges::binary_search(replaced, w.leaf);
-      });
+      std::erase_if(wishes,
+                    [&](const Wish& w) { return std::ranges::binary_search(replaced, w.leaf); });
     pending_.insert(pending_.begin() + static_cast<std::ptrdiff_t>(first), replaced.begin(),
                     replaced.end());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(first, pending_.size(), 16),

@@ -159,7 +159,7 @@ TEST(AbcNodes, FourOnEachSurface) {
   EXPECT_EQ(linear, 4);
   EXPECT_EQ(result.nodes.size(), 8u);
   for (const Node& node : result.nodes) EXPECT_EQ(node.status, NodeStatus::Proven);
-  // A tet with a node cannot be certified, and says so.
+  // With so few bisections no node becomes a vertex, and its tet says so.
   for (const Node& node : result.nodes) {
     const auto tet =
         std::ranges::find(result.unresolved, node.source_cell, &UnresolvedTet::source_cell);

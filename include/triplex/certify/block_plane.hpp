@@ -7,8 +7,8 @@
 namespace triplex {
 
 /// Certificates on and near planes where the tensor is exactly block triangular along a coordinate
-/// axis, a 2 x 2 block M in the plane and a number e: mirror planes, where nothing couples them, and
-/// free-slip walls, where one of the two couplings vanishes. There
+/// axis, a 2 x 2 block M in the plane and a number e: mirror planes, where nothing couples them,
+/// and free-slip walls, where one of the two couplings vanishes. There
 ///     D = disc(M) det(M - e I)^2:
 /// the degenerate surface crosses the plane where disc(M) changes sign and only touches it where
 /// det(M - e I) = 0. Touching counts as no crossing: the points of such a curve belong to the real

@@ -92,21 +92,18 @@ class Simplex {
   /// Whether the double filter may be trusted on this simplex.
   bool filter_usable() const { return entries_.usable(); }
 
-  /// Local number of the vertex known by an enclosure only, a node; N if none is.
-  int enclosed_vertex() const {
-    for (int i = 0; i < N; ++i)
-      if (field_->is_enclosed(vertices_[i])) return i;
-    return N;
-  }
-  bool has_enclosed_vertex() const { return enclosed_vertex() < N; }
-
-  /// Local number of a vertex that is a node; N if none is.
+  /// Local number of the vertex that is a node; N if none is.
   int node_vertex() const {
     for (int i = 0; i < N; ++i)
-      if (field_->is_node_vertex(vertices_[i])) return i;
+      if (field_->is_node(vertices_[i])) return i;
     return N;
   }
   bool has_node_vertex() const { return node_vertex() < N; }
+  /// Whether a vertex is known by an enclosure only.
+  bool has_enclosed_vertex() const {
+    return std::ranges::any_of(vertices_, [&](VertexId v) { return field_->is_enclosed(v); });
+  }
+
   /// The coordinate axis along which the tensors of all vertices are block triangular, all in
   /// column or all in row; -1 if there is none.
   int block_axis() const {

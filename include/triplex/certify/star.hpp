@@ -16,9 +16,9 @@ namespace triplex {
 template <int N>
 bool certifies_only_node(const Simplex<N>& simplex, SignStages& stages);
 
-/// A tet may be replaced by the four tets that join a node inside it to its faces: then these, their
-/// faces and edges at the node will be certified. What the tet's own faces lack can be mended by
-/// bisecting its edges. \pre the node, a vertex known by an enclosure, lies inside the tet.
+/// A tet may be replaced by the four tets that join a node inside it to its faces: then these,
+/// their faces and edges at the node will be certified. What the tet's own faces lack can be mended
+/// by bisecting its edges. \pre the node, a vertex known by an enclosure, lies inside the tet.
 bool certifies_star(const Simplex<4>& cell, VertexId node, SignStages& stages);
 
 }  // namespace triplex

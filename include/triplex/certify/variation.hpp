@@ -22,7 +22,7 @@ struct EdgeChoice {
 
 /// The edge along which the Bernstein coefficients of the measured functions vary most: the largest
 /// |c_(m+e_i) - c_(m+e_j)| over all m, relative to the largest of any edge, added over the
-/// functions. Edges that end at a node (an enclosed vertex) are left out. Ties go to the first edge in lexicographic order of the local indices. A heuristic
+/// functions. Ties go to the first edge in lexicographic order of the local indices. A heuristic
 /// (plain doubles).
 template <int N>
 EdgeChoice edge_of_largest_variation(const Simplex<N>& simplex, const Measures& measures);

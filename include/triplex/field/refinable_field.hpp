@@ -61,26 +61,28 @@ class RefinableField {
   std::vector<VertexId> corners(VertexId v) const;
 
   /// The midpoint of two vertices of one tet, as a new vertex; nothing when 2^-kMaxDepth is
-  /// reached.
+  /// reached. If an end is enclosed, so is the midpoint; nothing if the edge is too short to be
+  /// told from the enclosures.
   std::optional<VertexId> add_midpoint(VertexId a, VertexId b);
 
-  /// A point of a tet of the input that is known by an enclosure only: its barycentric coordinates
-  /// lie within `radius` of `centre`, which sums to one up to rounding. Its tensor is known in
-  /// doubles with a proven error, not exactly; no edge that ends there can be halved.
-  VertexId add_enclosed(const std::array<VertexId, 4>& tet, const std::array<double, 4>& centre,
-                        double radius);
-  bool is_enclosed(VertexId v) const { return !enclosed_.empty() && index(v) >= enclosed_from_ &&
-                                              enclosed_.contains(v); }
+  /// A node, a point of a tet of the input that is known by an enclosure only: its barycentric
+  /// coordinates lie within `radius` of `centre`, which sums to one up to rounding. Its tensor is
+  /// known in doubles with a proven error, not exactly. Source: proofs/star.md.
+  VertexId add_node(const std::array<VertexId, 4>& tet, const std::array<double, 4>& centre,
+                    double radius);
+  /// A node, or a midpoint made with one: the tensor is known by an enclosure.
+  bool is_enclosed(VertexId v) const {
+    return !enclosed_.empty() && index(v) >= enclosed_from_ && enclosed_.contains(v);
+  }
+  /// Declares a vertex that is not enclosed to be a node, proven by `is_node` of certify/node.
+  void declare_node(VertexId v) { nodes_.insert(v); }
+  bool is_node(VertexId v) const {
+    return (!nodes_.empty() && nodes_.contains(v)) || (is_enclosed(v) && enclosed_.at(v).is_node);
+  }
   /// On planes of symmetry and at free-slip walls tensors are block triangular. Bit k (bit 3 + k):
   /// the two entries beside the diagonal in column (row) k are exactly zero, at all vertices of the
   /// input that this one is combined of.
   unsigned zero_couplings(VertexId v) const;
-  /// Declares a vertex to be a node, proven by `is_node`.
-  void declare_node(VertexId v) { nodes_.insert(v); }
-  /// A node: declared one, or enclosed.
-  bool is_node_vertex(VertexId v) const {
-    return (!nodes_.empty() && nodes_.contains(v)) || is_enclosed(v);
-  }
   /// The weight of a vertex of the input in a vertex that is not enclosed, exactly.
   double weight(VertexId v, VertexId corner) const;
 
@@ -99,7 +101,10 @@ class RefinableField {
     std::array<VertexId, 4> vertices{};
     std::array<double, 4> weights{};
     double radius = 0;
+    bool is_node = false;
   };
+  VertexId add(const Enclosed& e);
+  std::optional<VertexId> add_enclosed_midpoint(VertexId a, VertexId b);
   Combination combination(VertexId v) const;
   ApproximateTensor combine_enclosed(const Enclosed& e, bool with_trace) const;
   ApproximateTensor combine_tensor(VertexId v) const;
@@ -112,7 +117,7 @@ class RefinableField {
   std::vector<std::array<VertexId, 4>> input_tets_;
   std::vector<ApproximateTensor> approximations_;
   std::vector<ApproximateTensor> tensors_;  // with trace; empty unless kept
-  std::vector<Combination> midpoints_;  // unused where the vertex is enclosed
+  std::vector<Combination> midpoints_;      // unused where the vertex is enclosed
   std::unordered_map<VertexId, Enclosed> enclosed_;
   std::size_t enclosed_from_ = 0;  // no vertex before is
   std::unordered_set<VertexId> nodes_;

@@ -46,8 +46,8 @@ struct RefineOptions {
 /// A node that may have become a vertex of the refined mesh: known by an enclosure, inside a tet.
 struct NodeVertex {
   VertexId vertex;
-  TetId tet;        ///< of the input
-  Feature feature;  ///< the degenerate page that is a double cone there
+  TetId tet;             ///< of the input
+  Feature feature;       ///< the degenerate page that is a double cone there
   bool planted = false;  ///< it is a vertex of leaves
 };
 
@@ -59,7 +59,7 @@ struct RefinedComplex {
   std::vector<std::uint8_t> sectors;  ///< per vertex: a `Sector`, or kOpenSector
   std::vector<LevelSides> sides;      ///< per vertex; empty if no level set is requested
   std::vector<Leaf> leaves;
-  PeriodicCopies copies;                 ///< on opposite sides
+  PeriodicCopies copies;  ///< on opposite sides
   std::vector<NodeVertex> nodes;
   std::vector<std::uint32_t> asked_for;  ///< per tet of the input: bisections that it asked for
   std::uint64_t rounds = 0, bisections = 0;
