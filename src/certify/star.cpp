@@ -41,17 +41,9 @@ bool certifies_only_node(const Simplex<N>& simplex, SignStages& stages) {
          simplex.decide(OneSignBeyondNode{node, Sign::Negative}, stages);
 }
 
-bool certifies_star(const Simplex<4>& cell, VertexId node, SignStages& stages) {
+bool is_ready_for_star(const Simplex<4>& cell, SignStages& stages) {
   if (uniform_sign_of_p(cell, stages) != Sign::Negative) return false;
   if (uniform_sign_of_q(cell, stages) == Sign::Zero) return false;
-  const auto& v = cell.vertices();
-  for (const VertexId a : v)
-    if (!certifies_only_node(Simplex<2>(cell.field(), {a, node}), stages)) return false;
-  for (int i = 0; i < 4; ++i)
-    for (int j = i + 1; j < 4; ++j) {
-      const Simplex<3> face(cell.field(), {v[i], v[j], node});
-      if (!certifies_only_node(face, stages) && !certifies_nappes(face, stages)) return false;
-    }
   return certifies_nappes(cell, stages);
 }
 

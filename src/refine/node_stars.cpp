@@ -105,7 +105,7 @@ std::optional<VertexId> NodeStars::ready_in(const Leaf& leaf, SignStages& stages
     held = &node;
   }
   if (held == nullptr || !only_its_page_near(leaf, held->vertex, stages) ||
-      !certifies_star(Simplex<4>(complex_.field, leaf.vertices), held->vertex, stages))
+      !is_ready_for_star(Simplex<4>(complex_.field, leaf.vertices), stages))
     return {};
   return held->vertex;
 }

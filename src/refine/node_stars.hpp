@@ -17,7 +17,7 @@ Sector real_side(const FeatureTable& table, Feature page);
 
 /// Nodes on their way to becoming vertices of the refined mesh: those proven to lie inside a tet of
 /// the input. Each gets a vertex, known by an enclosure; the leaf that holds it is replaced by the
-/// four tets around it as soon as their certificates hold. Source: proofs/star.md.
+/// four tets around it as soon as these can be certified. Source: proofs/star.md.
 class NodeStars {
  public:
   NodeStars(RefinedComplex& complex, const FeatureTable& table, FeatureSet features);

@@ -85,15 +85,24 @@ TEST(OnlyNode, LeavesOneSignElsewhere) {
   }
 }
 
-/// Where a tet is ready, every ray keeps one sign, and on the faces at the node the surface is one
-/// arc to the opposite edge or nothing, as the signs at its ends say.
-TEST(CertifiesStar, FixesEdgesAndFacesAtTheNode) {
+/// Where a tet is ready and its edges and faces at the node are certified, every ray keeps one
+/// sign, and on the faces at the node the surface is one arc to the opposite edge or nothing, as
+/// the signs at its ends say.
+TEST(Star, EdgesAndFacesAtTheNodeAreFixed) {
   Random random(2);
   SignStages stages;
   int ready = 0, mixed_faces = 0, parts = 0;
   for (int n = 0; n < 200; ++n) {
     Star star(test::planted_node(random, kNode, std::exp2(-2.0 - n % 8)), kNode);
-    if (!certifies_star(star.tet.cell(), star.node, stages)) continue;
+    if (!is_ready_for_star(star.tet.cell(), stages)) continue;
+    bool certified = true;  // the edges and faces at the node
+    for (std::size_t i = 0; i < 4; ++i) {
+      certified &= only_node(star, std::array{V[i]}, stages);
+      for (std::size_t j = i + 1; j < 4; ++j)
+        certified &= only_node(star, std::array{V[i], V[j]}, stages) ||
+                     certifies_nappes(Simplex<3>(star.field(), {V[i], V[j], star.node}), stages);
+    }
+    if (!certified) continue;
     ++ready;
     std::array<int, 4> sign{};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -138,26 +147,20 @@ TEST(CertifiesStar, FixesEdgesAndFacesAtTheNode) {
   EXPECT_GT(parts, 4 * ready * 9 / 10);  // mostly the parts of a ready tet are certified
 }
 
-/// Not ready: the neutral surface or a second sheet is in the tet, or the enclosure is wide.
-TEST(CertifiesStar, RefusesWhatElseIsThere) {
+/// Not ready: the neutral surface is in the tet as well.
+TEST(IsReadyForStar, RefusesWhatElseIsThere) {
   Random random(3);
   SignStages stages;
   int ready_ones = 0;
   for (int n = 0; n < 50; ++n) {
-    const auto tensors = test::planted_node(random, kNode, std::exp2(-5));
-    Star star(tensors, kNode);
-    const bool ready = certifies_star(star.tet.cell(), star.node, stages);
-    OneTet wide(tensors);
-    const VertexId rough = wide.field().add_node(V, kNode, 0.05);
-    EXPECT_FALSE(certifies_star(wide.cell(), rough, stages));
-    if (!ready) continue;
+    auto tensors = test::planted_node(random, kNode, std::exp2(-5));
+    OneTet tet(tensors);
+    if (!is_ready_for_star(tet.cell(), stages)) continue;
     ++ready_ones;
-    // The same corner tensors but one, taken across the neutral surface: the node moves, q changes
-    // its sign.
-    auto far = tensors;
-    far[0] = -far[0];
-    Star across(far, kNode);
-    EXPECT_FALSE(certifies_star(across.tet.cell(), across.node, stages));
+    // One corner across the neutral surface.
+    tensors[0] = -tensors[0];
+    OneTet across(tensors);
+    EXPECT_FALSE(is_ready_for_star(across.cell(), stages));
   }
   EXPECT_GT(ready_ones, 10);
 }

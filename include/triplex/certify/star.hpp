@@ -16,9 +16,9 @@ namespace triplex {
 template <int N>
 bool certifies_only_node(const Simplex<N>& simplex, SignStages& stages);
 
-/// A tet may be replaced by the four tets that join a node inside it to its faces: then these,
-/// their faces and edges at the node will be certified. What the tet's own faces lack can be mended
-/// by bisecting its edges. \pre the node, a vertex known by an enclosure, lies inside the tet.
-bool certifies_star(const Simplex<4>& cell, VertexId node, SignStages& stages);
+/// Whether a tet with a node inside may be replaced by the four tets that join the node to its
+/// faces: p < 0, q has one sign, and the nappes are graphs on all of it. What the four lack then
+/// can be mended by halving edges; each is certified anew. \pre the node lies inside the tet.
+bool is_ready_for_star(const Simplex<4>& cell, SignStages& stages);
 
 }  // namespace triplex
