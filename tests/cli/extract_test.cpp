@@ -74,7 +74,7 @@ TEST(Report, HasTheDocumentedKeys) {
   EXPECT_THAT(keys(report["field"]),
               UnorderedElementsAre("file", "tets", "vertices", "array", "bounds", "split"));
   EXPECT_THAT(keys(report["certificates"]),
-              UnorderedElementsAre("exclusion", "graph", "spine", "unresolved"));
+              UnorderedElementsAre("exclusion", "graph", "spine", "radial", "unresolved"));
   EXPECT_THAT(keys(report["refinement"]), UnorderedElementsAre("rounds", "bisections", "tets"));
   EXPECT_THAT(keys(report["sign_stages"]), UnorderedElementsAre("filter", "interval", "exact"));
   EXPECT_THAT(keys(report["timing_s"]), UnorderedElementsAre("read", "refine", "nodes", "extract",

@@ -151,5 +151,23 @@ TEST(WritePolydata, ReportsAFullDisk) {
   EXPECT_THROW(write_polydata("/dev/full", surface(), Feature::NeutralReal), IoError);
 }
 
+/// The nodes are marked on degenerate surfaces, and only there.
+TEST(WritePolydata, MarksNodes) {
+  const TemporaryDirectory directory;
+  FeatureMesh mesh = surface();
+  mesh.nodes = {1, 3};
+  for (const Feature f : {Feature::DegenerateLinear, Feature::DegeneratePlanar}) {
+    write_polydata(directory / "a.vtp", mesh, f);
+    const auto data = test::read_vtk<vtkXMLPolyDataReader>(directory / "a.vtp");
+    auto* const node = data->GetPointData()->GetArray("Node");
+    ASSERT_NE(node, nullptr);
+    EXPECT_EQ(node->GetDataTypeSize(), 1);
+    for (vtkIdType v = 0; v < 4; ++v) EXPECT_EQ(node->GetTuple1(v), v % 2);
+  }
+  write_polydata(directory / "b.vtp", mesh, Feature::NeutralReal);
+  const auto other = test::read_vtk<vtkXMLPolyDataReader>(directory / "b.vtp");
+  EXPECT_FALSE(other->GetPointData()->HasArray("Node"));
+}
+
 }  // namespace
 }  // namespace triplex
