@@ -39,8 +39,25 @@ std::vector<std::uint32_t> open_leaves(const RefinedComplex& complex) {
   return open;
 }
 
-/// Every bisection halves the volume.
-double share_of(const Leaf& leaf) { return std::ldexp(1.0, -static_cast<int>(leaf.depth)); }
+double volume_approx(const RefinableField& field, const std::array<VertexId, 4>& vertices) {
+  const Point origin = field.position(vertices[0]);
+  std::array<Point, 3> e;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) e[i][k] = field.position(vertices[i + 1])[k] - origin[k];
+  return std::fabs(e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+                   e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+                   e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]));
+}
+
+/// Of the tet's volume: every bisection halves it; at a node it is measured.
+double share_of(const RefinedComplex& complex, const Leaf& leaf) {
+  const RefinableField& field = complex.field;
+  const bool at_node =
+      std::ranges::any_of(leaf.vertices, [&](VertexId v) { return field.is_enclosed(v); });
+  if (!at_node) return std::ldexp(1.0, -static_cast<int>(leaf.depth));
+  return volume_approx(field, leaf.vertices) /
+         volume_approx(field, field.input_tets()[index(leaf.input)]);
+}
 
 /// Place and size of the open leaves of one tet.
 void add_place(const RefinedComplex& complex, std::span<const std::uint32_t> leaves,
@@ -48,14 +65,16 @@ void add_place(const RefinedComplex& complex, std::span<const std::uint32_t> lea
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   tet.extent.fill({kInfinity, -kInfinity});
   tet.open_cells = leaves.size();
+  tet.smallest_share = kInfinity;
   for (const std::uint32_t n : leaves) {
     const Leaf& leaf = complex.leaves[n];
     tet.depth = std::max<std::uint32_t>(tet.depth, leaf.depth);
-    tet.open_share += share_of(leaf);
+    const double share = share_of(complex, leaf);
+    tet.open_share += share;
+    tet.smallest_share = std::min(tet.smallest_share, share);
   }
-  tet.smallest_share = std::ldexp(1.0, -static_cast<int>(tet.depth));
   for (const std::uint32_t n : leaves) {
-    const double weight = share_of(complex.leaves[n]) / tet.open_share / 4;
+    const double weight = share_of(complex, complex.leaves[n]) / tet.open_share / 4;
     for (const VertexId v : complex.leaves[n].vertices) {
       const Point x = complex.field.position(v);
       for (std::size_t k = 0; k < 3; ++k) {

@@ -126,6 +126,7 @@ std::array<Leaf, 4> NodeStars::planted(const Leaf& leaf, VertexId node) {
   for (std::size_t i = 0; i < 4; ++i) {
     Leaf& part = parts[i];
     part = {.vertices = leaf.vertices, .input = leaf.input, .flipped = leaf.flipped};
+    part.depth = leaf.depth;
     part.vertices[i] = node;
     for (std::size_t k = 0; k < 3; ++k)  // back to ascending order; every swap flips
       for (std::size_t m = 0; m < 3 - k; ++m)

@@ -42,7 +42,9 @@ void expect_curve(const Extracted& e, const fs::path& out, const std::string& na
   EXPECT_EQ(feature["ends"].get<int>(),
             2 * (feature["components"].get<int>() - feature["closed"].get<int>()));
   const auto mesh = read_vtk<vtkXMLPolyDataReader>(out / (name + ".vtp"));
-  EXPECT_EQ(mesh->GetNumberOfLines(), feature["segments"].get<int>());
+  // A polyline of n points has n - 1 segments.
+  EXPECT_EQ(mesh->GetLines()->GetNumberOfConnectivityIds() - mesh->GetNumberOfLines(),
+            feature["segments"].get<int>());
   EXPECT_EQ(mesh->GetNumberOfPolys(), 0);
   ASSERT_EQ(mesh->GetNumberOfPoints(), feature["vertices"].get<int>());
   for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)

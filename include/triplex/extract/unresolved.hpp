@@ -31,7 +31,7 @@ struct UnresolvedTet {
   std::uint32_t depth = 0;        ///< how often its smallest open cell was halved
   std::uint64_t open_cells = 0;
   double open_share = 0;      ///< volume of the open cells over that of the tet
-  double smallest_share = 0;  ///< volume of the smallest one over that of the tet, 2^-depth
+  double smallest_share = 0;  ///< volume of the smallest one over that of the tet
   /// By how much the graph certificate misses on the largest open cell, in [-1, 0]; not certified
   /// (`graph_margin_approx`). Nothing where another certificate failed.
   std::optional<double> margin;
