@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "block.hpp"
+#include "error_bounds.hpp"
 #include "sign_changes.hpp"
 #include "triplex/bernstein/discriminant.hpp"
 
@@ -34,6 +35,28 @@ double discriminant_error(const EntryBounds& b) {
          (8 * b.error * (2 * b.magnitude + b.error) + gamma(5) * 8 * b.magnitude * b.magnitude);
 }
 
+/// The label of a vertex speaks of T itself: D is not zero there, or the vertex is a declared node.
+bool is_labelled_for_field(const RefinableField& field, VertexId v) {
+  if (field.is_node(v)) return true;
+  const ApproximateTensor& t = field.approximate(v);
+  if (t.bounds.usable()) {
+    const auto f = forms_of<double, 1>({t.a});
+    const double error = discriminant_coefficient_error(FormBounds(t.bounds));
+    if (certainty(minus_discriminant(f)[0], error) != Certainty::Unknown) return true;
+  }
+  if (field.is_enclosed(v)) return false;
+  return !minus_discriminant(forms_of<Exact, 1>({field.exact(v)}))[0].is_zero();
+}
+
+/// Two points of touching among the vertices may belong to an edge that the surface holds.
+template <int N>
+bool touches_in_isolated_points(const Simplex<N>& simplex) {
+  const auto is_node = [&](VertexId v) { return simplex.field().is_node(v); };
+  return std::ranges::count_if(simplex.vertices(), is_node) <= 1 &&
+         std::ranges::all_of(simplex.vertices(),
+                             [&](VertexId v) { return is_labelled_for_field(simplex.field(), v); });
+}
+
 /// At most one sign change of the layers, for some way to split the vertices in two.
 template <class NT, int N>
 Verdict one_root_per_segment(const std::array<Tensor<NT>, N>& a, const InPlane& m, double error) {
@@ -60,6 +83,7 @@ Verdict one_root_per_segment(const std::array<Tensor<NT>, N>& a, const InPlane& 
 
 template <int N>
 bool certifies_block(const Simplex<N>& simplex, SignStages& stages) {
+  if (!touches_in_isolated_points(simplex)) return false;
   const InPlane m(simplex.block_axis());
   std::array<Tensor<double>, N> a;
   EntryBounds bounds;
@@ -126,7 +150,7 @@ bool real_off_plane(const Simplex<N>& simplex, int axis, const ZeroCouplings& ze
 
 template <int N>
 bool certifies_real_off_block(const Simplex<N>& simplex, SignStages& stages) {
-  if (!simplex.filter_usable()) return false;
+  if (!simplex.filter_usable() || !touches_in_isolated_points(simplex)) return false;
   std::array<unsigned, N> couplings;
   unsigned any = 0;
   for (int i = 0; i < N; ++i)
