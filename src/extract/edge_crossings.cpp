@@ -81,6 +81,15 @@ CrossedEdge EdgeCrossings::classify(const RefinableField& field,
           .levels = labels_.inside_of(a) ^ labels_.inside_of(b)};
 }
 
+/// The degenerate page of a node at an end, in no plane that it might cross elsewhere.
+bool EdgeCrossings::crosses_at_node(const Simplex<2>& edge, Feature page) const {
+  const int node = edge.node_vertex();
+  if (node == 2 || edge.block_axis() >= 0) return false;
+  const VertexId v = edge.vertices()[static_cast<std::size_t>(node)];
+  return page == (table_.sign_q(labels_.sector(v)) == Sign::Positive ? Feature::DegenerateLinear
+                                                                     : Feature::DegeneratePlanar);
+}
+
 void EdgeCrossings::locate(const RefinableField& field, const CrossedEdge& edge,
                            FeatureSet features) {
   Crossing* crossing = &crossings_[edge.first];
@@ -95,7 +104,7 @@ void EdgeCrossings::locate(const RefinableField& field, const CrossedEdge& edge,
   for (int i = 0; i < edge.pages(); ++i) {
     const Feature page = page_crossed(table_, labels_.sector(edge.ends[0]), edge.rotation, i);
     set(page, !contains(features, page) ? EdgeRoot{}
-              : simplex.has_node_vertex() && simplex.block_axis() < 0
+              : crosses_at_node(simplex, page)
                   ? EdgeRoot{static_cast<double>(simplex.node_vertex()), 0}
                   : find_crossing(simplex, table_, page, edge.rotation > 0));
   }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "triplex/certify/simplex.hpp"
 #include "triplex/feature/feature_table.hpp"
 #include "vertex_labels.hpp"
 
@@ -60,6 +61,7 @@ class EdgeCrossings {
  private:
   CrossedEdge classify(const RefinableField& field, const std::array<VertexId, 2>& ends,
                        SignStages& stages) const;
+  bool crosses_at_node(const Simplex<2>& edge, Feature page) const;
   void locate(const RefinableField& field, const CrossedEdge& edge, FeatureSet features);
 
   const FeatureTable& table_;

@@ -71,8 +71,10 @@ void FeatureMeshBuilder::join_crossings_at_nodes() {
       if (!complex_.field.is_node(end)) continue;
       for (int i = 0; i < edge.pages(); ++i) {
         const std::uint32_t crossing = edge.first + static_cast<std::uint32_t>(i);
-        const double t = crossings_.crossings()[crossing].t;
-        if (t != (end == edge.ends[1] ? 1 : 0)) continue;
+        const Crossing& c = crossings_.crossings()[crossing];
+        const bool is_degenerate =
+            c.feature == Feature::DegenerateLinear || c.feature == Feature::DegeneratePlanar;
+        if (!is_degenerate || c.t != (end == edge.ends[1] ? 1 : 0)) continue;
         joined_[crossing] = first.try_emplace(end, crossing).first->second;
         at_node_[crossing] = true;
       }
