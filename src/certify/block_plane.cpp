@@ -65,18 +65,7 @@ Verdict one_root_per_segment(const std::array<Tensor<NT>, N>& a, const InPlane& 
     const auto [i, j] = pairs<N>()[n];
     signs[n] = certainty(discriminant_of_block(a[i], a[j], m), error);
   }
-  for (unsigned side = 1; side < (1u << (N - 1)); ++side) {
-    std::array<LayerSign, 3> layers;
-    for (int n = 0; n < kPairs<N>; ++n) {
-      const auto [i, j] = pairs<N>()[n];
-      layers[(side >> i & 1u) + (side >> j & 1u)].add(signs[n]);
-    }
-    SignChanges changes;
-    for (const LayerSign& layer : layers) changes.add(layer.sign());
-    if (changes.most() <= 1) return Verdict::Yes;
-  }
-  return std::ranges::find(signs, Certainty::Unknown) == signs.end() ? Verdict::No
-                                                                     : Verdict::Unknown;
+  return one_change_in_some_split<N, 2>(signs);  // pairs come in the order of the exponents
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "triplex/bernstein/discriminant.hpp"
 #include "triplex/certify/simplex.hpp"
 
 namespace triplex {
@@ -59,5 +60,27 @@ class LayerSign {
   Certainty sign_ = Certainty::Unknown;
   bool first_ = true;
 };
+
+/// From the signs of the Bernstein coefficients of a form: whether some split of the vertices into
+/// two sides leaves at most one change in the sequence of layers, and with it at most one root on
+/// every segment between the two. Source: proofs/pencil.md.
+template <int N, int Degree>
+Verdict one_change_in_some_split(
+    const std::array<Certainty, Monomials<N, Degree>::count()>& signs) {
+  for (unsigned side = 1; side < 1u << (N - 1); ++side) {  // the other side is the rest
+    std::array<LayerSign, Degree + 1> layers;
+    for (std::size_t n = 0; n < signs.size(); ++n) {
+      int k = 0;
+      for (int i = 0; i < N; ++i)
+        if (side >> i & 1u) k += kMonomials<N, Degree>.exponents[n][i];
+      layers[k].add(signs[n]);
+    }
+    SignChanges changes;
+    for (const LayerSign& layer : layers) changes.add(layer.sign());
+    if (changes.most() <= 1) return Verdict::Yes;
+  }
+  return std::ranges::find(signs, Certainty::Unknown) == signs.end() ? Verdict::No
+                                                                     : Verdict::Unknown;
+}
 
 }  // namespace triplex

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triplex/certify/star.hpp"
 
+#include <type_traits>
+
 #include "error_bounds.hpp"
 #include "triplex/bernstein/discriminant.hpp"
 #include "triplex/certify/exclusion.hpp"
@@ -17,6 +19,8 @@ struct OneSignBeyondNode {
 
   template <class NT, int N>
   Verdict operator()(const Forms<NT, N>& f, const FormBounds& bounds) const {
+    // A node is one of T itself: T + eps B has none there, and its signs prove nothing.
+    if constexpr (std::is_same_v<NT, Perturbed<N>>) return Verdict::No;
     constexpr int kDegree = 6, kVanishingLayers = 2;
     const double error = discriminant_coefficient_error(bounds);
     const auto minus_d = minus_discriminant(f);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "../oracle/block_fields.hpp"
+#include "triplex/certify/block_plane.hpp"
 #include "triplex/certify/nappe.hpp"
 
 namespace triplex {
@@ -88,6 +89,26 @@ TEST(OnlyNode, LeavesOneSignElsewhere) {
 /// Where a tet is ready and its edges and faces at the node are certified, every ray keeps one
 /// sign, and on the faces at the node the surface is one arc to the opposite edge or nothing, as
 /// the signs at its ends say.
+/// All of an edge between nodes of one eigenplane is degenerate: no sign of T + eps B says
+/// otherwise.
+TEST(OnlyNode, AnEdgeOfNodesIsRefused) {
+  TensorField input;
+  input.mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  input.mesh.tets = {{VertexId(0), VertexId(1), VertexId(2), VertexId(3)}};
+  input.tensors = {{1, 0, 0, 0, 1, 0, 0, 0, -2},
+                   {2, 0, 0, 0, 2, 0, 0, 0, -4},
+                   {1, 2, 0, 0, 3, 1, 1, 0, 1},
+                   {0, 1, 1, 2, 0, 1, 0, 3, 1}};
+  RefinableField field(input);
+  const auto vertex = field.vertices_of_input();
+  for (const int v : {0, 1}) field.declare_node(vertex[v]);
+  SignStages stages;
+  const Simplex<2> edge(field, {std::min(vertex[0], vertex[1]), std::max(vertex[0], vertex[1])});
+  EXPECT_FALSE(certifies_only_node(edge, stages));
+  ASSERT_GE(edge.block_axis(), 0);
+  EXPECT_FALSE(certifies_block(edge, stages));
+}
+
 TEST(Star, EdgesAndFacesAtTheNodeAreFixed) {
   Random random(2);
   SignStages stages;
