@@ -139,12 +139,12 @@ bool real_off_plane(const Simplex<N>& simplex, int axis, const ZeroCouplings& ze
 
 template <int N>
 bool certifies_real_off_block(const Simplex<N>& simplex, SignStages& stages) {
-  if (!simplex.filter_usable() || !touches_in_isolated_points(simplex)) return false;
+  if (!simplex.filter_usable()) return false;
   std::array<unsigned, N> couplings;
   unsigned any = 0;
   for (int i = 0; i < N; ++i)
     any |= couplings[i] = simplex.field().zero_couplings(simplex.vertices()[i]);
-  if (any == 0) return false;
+  if (any == 0 || !touches_in_isolated_points(simplex)) return false;
   for (int axis = 0; axis < 3; ++axis)
     for (const ZeroCouplings zero : {ZeroCouplings{true, true}, {true, false}, {false, true}}) {
       const unsigned wanted = (zero.upper ? 1u << axis : 0) | (zero.lower ? 8u << axis : 0);

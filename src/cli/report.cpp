@@ -147,10 +147,8 @@ Json nodes_json(const Extraction& extraction) {
 Json nodes_undecided_json(const TensorField& field, const Extraction& extraction) {
   Json json = Json::array();
   for (const NodesUndecided& undecided : extraction.nodes_undecided) {
-    const std::size_t tet = index(undecided.tet);
-    json.push_back({{"tet", field.source_cells.empty() ? static_cast<std::int64_t>(tet)
-                                                       : field.source_cells[tet]},
-                    {"reason", describe(undecided.obstacle)}});
+    json.push_back(
+        {{"tet", field.source_cell(undecided.tet)}, {"reason", describe(undecided.obstacle)}});
   }
   return json;
 }

@@ -82,8 +82,7 @@ void CurveMeshBuilder::add(TetId tet, const std::array<VertexId, 4>& vertices,
   std::vector<std::uint32_t> numbers;
   for (const std::uint32_t f : faces)
     numbers.insert(numbers.end(), number_[f].begin(), number_[f].end());
-  const std::int64_t source = input_.source_cells.empty() ? static_cast<std::int64_t>(index(tet))
-                                                          : input_.source_cells[index(tet)];
+  const std::int64_t source = input_.source_cell(tet);
   for (const DegenerateArc& arc : arcs) {
     FeatureMesh& m = mesh(arc.feature);
     std::vector<std::uint32_t> line = {numbers[static_cast<std::size_t>(arc.from)]};

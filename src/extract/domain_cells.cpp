@@ -151,9 +151,7 @@ class DomainCells {
 
   void add_arrays(Domain domain, const Leaf& leaf, DomainMesh& mesh) const {
     mesh.domain.push_back(domain);
-    mesh.source_cell.push_back(input_.source_cells.empty()
-                                   ? static_cast<std::int64_t>(index(leaf.input))
-                                   : input_.source_cells[index(leaf.input)]);
+    mesh.source_cell.push_back(input_.source_cell(leaf.input));
     mesh.certified.push_back((leaf.open & book_) == 0);
   }
 

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <utility>
 
 #include "domain_cells.hpp"
@@ -137,25 +136,9 @@ void add_degenerate_curves(const TensorField& field, const RefinedComplex& compl
   result.features[index(Feature::DegeneratePlanar)] = std::move(curves.planar);
   result.curves_shifted = curves.shift == Shift::General;
   for (const CurvesUndecided& tet : curves.undecided) {
-    const std::size_t t = index(tet.tet);
-    const std::int64_t source =
-        field.source_cells.empty() ? static_cast<std::int64_t>(t) : field.source_cells[t];
-    UnresolvedTet open;
-    open.source_cell = source;
+    UnresolvedTet open = whole_tet(field, tet.tet);
     open.features = tet.features;
     open.reason = describe(tet.obstacle);
-    open.tet = tet.tet;
-    open.open_cells = 1;  // the tet itself
-    open.open_share = open.smallest_share = 1;
-    for (int k = 0; k < 3; ++k) {
-      Range& extent = open.extent[k];
-      extent = {INFINITY, -INFINITY};
-      for (const VertexId v : field.mesh.tets[t]) {
-        const double x = field.mesh.points[index(v)][k];
-        open.centre[k] += x / 4;
-        extent = {std::min(extent.lo, x), std::max(extent.hi, x)};
-      }
-    }
     result.unresolved.push_back(std::move(open));
   }
   std::stable_sort(result.unresolved.begin(), result.unresolved.end(),

@@ -102,7 +102,7 @@ std::vector<FeatureMesh> FeatureMeshBuilder::build(const std::vector<std::uint32
 void FeatureMeshBuilder::add_leaf(const Leaf& leaf, FeatureSet features, CellPatches& patches,
                                   Cells& cells) const {
   patches_of(leaf, crossings_, spine_points_, features, patches);
-  const std::int64_t source = source_cell(leaf.input);
+  const std::int64_t source = input_.source_cell(leaf.input);
   for (const PatchLoop& loop : patches.loops)
     add_fan(loop, source, !contains(leaf.open, loop.feature), cells[index(loop.feature)]);
   for (const auto& [a, b] : patches.spine)
@@ -236,11 +236,6 @@ PatchVertex FeatureMeshBuilder::lowest_copy(Feature feature, const PatchVertex& 
       number = crossings_.crossing_of(*edge, feature);
   }
   return number < 0 ? v : PatchVertex{static_cast<std::uint32_t>(number), v.on_spine};
-}
-
-std::int64_t FeatureMeshBuilder::source_cell(TetId tet) const {
-  return input_.source_cells.empty() ? static_cast<std::int64_t>(index(tet))
-                                     : input_.source_cells[index(tet)];
 }
 
 }  // namespace triplex

@@ -39,7 +39,6 @@ class FeatureMeshBuilder {
   std::array<double, 3> invariants(Feature feature, const PatchVertex& v) const;
   Tensor<double> tensor(const PatchVertex& v) const;
   PatchVertex lowest_copy(Feature feature, const PatchVertex& v) const;
-  std::int64_t source_cell(TetId tet) const;
   void join_crossings_at_nodes();
 
   const TensorField& input_;

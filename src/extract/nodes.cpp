@@ -151,8 +151,7 @@ std::vector<Candidate> candidates_of(const TensorField& input, const RefinableFi
     Candidate c;
     c.node.feature = found.feature;
     c.node.tet = task.tet;
-    c.node.source_cell = input.source_cells.empty() ? static_cast<std::int64_t>(index(task.tet))
-                                                    : input.source_cells[index(task.tet)];
+    c.node.source_cell = input.source_cell(task.tet);
     if (std::ranges::all_of(x, [](const Range& r) { return r.lo > 0; })) {
       c.node.status = NodeStatus::Proven;
     } else {

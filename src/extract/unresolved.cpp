@@ -25,11 +25,6 @@ std::vector<TetId> tets_with_nodes(const std::vector<Node>& nodes) {
   return tets;
 }
 
-std::int64_t source_cell(const TensorField& input, TetId tet) {
-  return input.source_cells.empty() ? static_cast<std::int64_t>(index(tet))
-                                    : input.source_cells[index(tet)];
-}
-
 /// The numbers of the open leaves, by tet of the input.
 std::vector<std::uint32_t> open_leaves(const RefinedComplex& complex) {
   std::vector<std::uint32_t> open;
@@ -122,7 +117,7 @@ std::vector<UnresolvedTet> unresolved_tets(const TensorField& input, const Refin
     const TetId id = complex.leaves[open[begin]].input;
     UnresolvedTet tet;
     tet.tet = id;
-    tet.source_cell = source_cell(input, id);
+    tet.source_cell = input.source_cell(id);
     Obstacle gravest = complex.leaves[open[begin]].obstacle;
     std::size_t end = begin;
     for (; end < open.size() && complex.leaves[open[end]].input == id; ++end) {
@@ -142,6 +137,24 @@ std::vector<UnresolvedTet> unresolved_tets(const TensorField& input, const Refin
   }
   std::ranges::stable_sort(result, {}, &UnresolvedTet::source_cell);
   return result;
+}
+
+UnresolvedTet whole_tet(const TensorField& input, TetId tet) {
+  UnresolvedTet open;
+  open.tet = tet;
+  open.source_cell = input.source_cell(tet);
+  open.open_cells = 1;
+  open.open_share = open.smallest_share = 1;
+  open.extent.fill(
+      {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()});
+  for (const VertexId v : input.mesh.tets[index(tet)]) {
+    const Point& x = input.mesh.points[index(v)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      open.centre[k] += x[k] / 4;
+      open.extent[k] = {std::min(open.extent[k].lo, x[k]), std::max(open.extent[k].hi, x[k])};
+    }
+  }
+  return open;
 }
 
 OpenCells open_cells(const TensorField& input, const RefinedComplex& complex, std::size_t most) {
@@ -170,7 +183,7 @@ OpenCells open_cells(const TensorField& input, const RefinedComplex& complex, st
     cells.tets.push_back(tet);
     cells.features.push_back(leaf.open);
     cells.obstacle.push_back(leaf.obstacle);
-    cells.source_cell.push_back(source_cell(input, leaf.input));
+    cells.source_cell.push_back(input.source_cell(leaf.input));
     cells.depth.push_back(leaf.depth);
   }
   return cells;

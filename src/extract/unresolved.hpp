@@ -16,6 +16,9 @@ std::vector<UnresolvedTet> unresolved_tets(const TensorField& input, const Refin
                                            const IdenticalSimplices& identical,
                                            const ExtractionOptions& options);
 
+/// A tet of the input that is open as a whole, without features and reason.
+UnresolvedTet whole_tet(const TensorField& input, TetId tet);
+
 /// The open cells as a mesh, by tet of the input; if there are more than `most`, the largest.
 OpenCells open_cells(const TensorField& input, const RefinedComplex& complex,
                      std::size_t most = kMostOpenCells);

@@ -156,7 +156,7 @@ class BoundaryCheck {
 
   std::string describe(const BoundaryFace& f) const {
     return fmt::format("face (points {}, {}, {}) of cell {}", f.vertices[0], f.vertices[1],
-                       f.vertices[2], cell_id(field_, f.tet));
+                       f.vertices[2], field_.source_cell(TetId(f.tet)));
   }
 
   /// If a vertex of `face` lies in `other` without being a corner of it.

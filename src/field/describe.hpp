@@ -17,11 +17,6 @@ inline std::string describe_point(const TensorField& field, std::size_t point) {
   return fmt::format("point {} at ({}, {}, {})", point, x[0], x[1], x[2]);
 }
 
-/// The cell id in the input file of a tet.
-inline std::int64_t cell_id(const TensorField& field, std::size_t tet) {
-  return field.source_cells.empty() ? static_cast<std::int64_t>(tet) : field.source_cells[tet];
-}
-
 /// Whether the tet is part of a cell that was split.
 inline bool is_part(const TensorField& field, std::size_t tet) {
   const auto& cells = field.source_cells;
@@ -33,7 +28,7 @@ inline bool is_part(const TensorField& field, std::size_t tet) {
 /// "cell 7 (points 1, 2, 3, 4)", or "cell 7 (part with points 1, 2, 3, 4)" if it was split.
 inline std::string describe_cell(const TensorField& field, std::size_t tet) {
   const auto& v = field.mesh.tets[tet];
-  return fmt::format("cell {} ({}points {}, {}, {}, {})", cell_id(field, tet),
+  return fmt::format("cell {} ({}points {}, {}, {}, {})", field.source_cell(TetId(tet)),
                      is_part(field, tet) ? "part with " : "", index(v[0]), index(v[1]), index(v[2]),
                      index(v[3]));
 }

@@ -76,7 +76,7 @@ bool is_bad(std::span<const HalfFace> run) {
       if (opposite(run[i]) == opposite(run[j])) {
         throw BadInput(fmt::format("{} is the same tet as cell {}; remove the duplicate",
                                    describe_cell(field, run[j].tet()),
-                                   cell_id(field, run[i].tet())));
+                                   field.source_cell(TetId(run[i].tet()))));
       }
     }
   }
@@ -86,14 +86,15 @@ bool is_bad(std::span<const HalfFace> run) {
     throw BadInput(fmt::format(
         "{} belongs to {} tets (cells {}, {}, {}{}), the mesh does not conform; remove the tets "
         "that overlap, or mesh again",
-        face, run.size(), cell_id(field, run[0].tet()), cell_id(field, run[1].tet()),
-        cell_id(field, run[2].tet()), run.size() > 3 ? ", ..." : ""));
+        face, run.size(), field.source_cell(TetId(run[0].tet())),
+        field.source_cell(TetId(run[1].tet())), field.source_cell(TetId(run[2].tet())),
+        run.size() > 3 ? ", ..." : ""));
   }
-  throw BadInput(
-      fmt::format("cells {} and {} overlap: both lie on the same side of their common {}; remove "
-                  "one of them, or "
-                  "mesh again",
-                  cell_id(field, run[0].tet()), cell_id(field, run[1].tet()), face));
+  throw BadInput(fmt::format(
+      "cells {} and {} overlap: both lie on the same side of their common {}; remove "
+      "one of them, or "
+      "mesh again",
+      field.source_cell(TetId(run[0].tet())), field.source_cell(TetId(run[1].tet())), face));
 }
 
 }  // namespace

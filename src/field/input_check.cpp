@@ -17,7 +17,6 @@
 
 namespace triplex {
 
-using detail::cell_id;
 using detail::describe_cell;
 using detail::describe_point;
 using detail::first_index;

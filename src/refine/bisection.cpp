@@ -46,6 +46,16 @@ const MarkedEdges::Entry* MarkedEdges::first_in(const Leaf& leaf) const {
   return first;
 }
 
+void sort_vertices(Leaf& leaf) {
+  auto& v = leaf.vertices;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3 - i; ++j)
+      if (v[j + 1] < v[j]) {
+        std::swap(v[j], v[j + 1]);
+        leaf.flipped = !leaf.flipped;
+      }
+}
+
 void bisect(const Leaf& leaf, const MarkedEdges& marked, std::vector<Leaf>& out) {
   const auto* mark = marked.first_in(leaf);
   if (mark == nullptr) {

@@ -47,6 +47,9 @@ class MarkedEdges {
   std::vector<std::uint8_t> ends_;
 };
 
+/// Puts the vertices of a tet in ascending order; every swap flips its orientation.
+void sort_vertices(Leaf& leaf);
+
 /// Bisects a tet along its marked edges, first to last; appends the resulting tets.
 void bisect(const Leaf& leaf, const MarkedEdges& marked, std::vector<Leaf>& out);
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bisection.hpp"
 #include "triplex/certify/exclusion.hpp"
 #include "triplex/certify/node.hpp"
 #include "triplex/certify/star.hpp"
@@ -110,8 +111,8 @@ std::optional<VertexId> NodeStars::ready_in(const Leaf& leaf, SignStages& stages
   return held->vertex;
 }
 
-/// Edges at a node are never cut, so nothing else may cross them that a smaller leaf would not
-/// hold: no mode surface, and no level set on a side of which the node is not known to be.
+/// Tests with a node as vertex end with the intervals, so nothing may come near that might need
+/// more: no mode surface, and no level set on a side of which the node is not known to be.
 bool NodeStars::only_its_page_near(const Leaf& leaf, VertexId node, SignStages& stages) const {
   if (!complex_.sides.empty() && complex_.sides[index(node)].open != 0) return false;
   const Simplex<4> cell(complex_.field, leaf.vertices);
@@ -128,18 +129,13 @@ std::array<Leaf, 4> NodeStars::planted(const Leaf& leaf, VertexId node) {
     part = {.vertices = leaf.vertices, .input = leaf.input, .flipped = leaf.flipped};
     part.depth = leaf.depth;
     part.vertices[i] = node;
-    for (std::size_t k = 0; k < 3; ++k)  // back to ascending order; every swap flips
-      for (std::size_t m = 0; m < 3 - k; ++m)
-        if (part.vertices[m + 1] < part.vertices[m]) {
-          std::swap(part.vertices[m], part.vertices[m + 1]);
-          part.flipped = !part.flipped;
-        }
+    sort_vertices(part);
   }
   return parts;
 }
 
 void NodeStars::mark_planted(VertexId node) {
-  const auto planted = std::ranges::find(complex_.nodes, node, &NodeVertex::vertex);
+  const auto planted = std::ranges::lower_bound(complex_.nodes, node, {}, &NodeVertex::vertex);
   planted->planted = true;
   std::erase_if(waiting_[planted->tet], [&](const Waiting& w) { return w.vertex == node; });
 }

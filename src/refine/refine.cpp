@@ -20,8 +20,8 @@ namespace {
 constexpr std::size_t kGrain = 256;       // tets per task
 constexpr std::size_t kSlice = 1u << 16;  // tets between progress reports
 
-/// A tet that has asked for so many bisections is searched for nodes: few tets need as many for
-/// anything else, and a search costs as much as a hundred certificates.
+/// A tet that has asked for so many bisections is searched for nodes. A quality limit only: most
+/// tets need fewer, and a search that finds nothing is wasted.
 constexpr std::uint32_t kBisectionsBeforeSearch = 8;
 
 using StagesPerThread = tbb::enumerable_thread_specific<SignStages>;
@@ -64,7 +64,7 @@ class Refinement {
     Mark mark;
   };
 
-  /// Vertices ascending; every swap flips the orientation, which the input check made positive.
+  /// Vertices ascending; the input check made the orientation positive.
   void place_input_tets() {
     const auto& tets = complex_.field.input_tets();
     complex_.leaves.resize(tets.size());
@@ -73,13 +73,7 @@ class Refinement {
                       [&](const auto& range) {
                         for (std::size_t t = range.begin(); t < range.end(); ++t) {
                           Leaf leaf{.vertices = tets[t], .input = TetId(t)};
-                          auto& v = leaf.vertices;
-                          for (int i = 0; i < 3; ++i)
-                            for (int j = 0; j < 3 - i; ++j)
-                              if (v[j + 1] < v[j]) {
-                                std::swap(v[j], v[j + 1]);
-                                leaf.flipped = !leaf.flipped;
-                              }
+                          sort_vertices(leaf);
                           complex_.leaves[t] = leaf;
                           pending_[t] = static_cast<std::uint32_t>(t);
                         }

@@ -43,6 +43,11 @@ struct TensorField {
   /// of a split cell are neighbours in the list). Empty: identity.
   std::vector<std::int64_t> source_cells;
   SplitCounts split;
+
+  /// Cell id in the input file of a tet.
+  std::int64_t source_cell(TetId tet) const {
+    return source_cells.empty() ? static_cast<std::int64_t>(index(tet)) : source_cells[index(tet)];
+  }
 };
 
 }  // namespace triplex
