@@ -8,6 +8,7 @@
 #include "error_bounds.hpp"
 #include "sign_changes.hpp"
 #include "triplex/bernstein/discriminant.hpp"
+#include "triplex/certify/block_node.hpp"
 
 namespace triplex {
 namespace {
@@ -72,7 +73,7 @@ Verdict one_root_per_segment(const std::array<Tensor<NT>, N>& a, const InPlane& 
 
 template <int N>
 bool certifies_block(const Simplex<N>& simplex, SignStages& stages) {
-  if (!touches_in_isolated_points(simplex)) return false;
+  if (!touches_in_isolated_points(simplex) || !excludes_block_node(simplex, stages)) return false;
   const InPlane m(simplex.block_axis());
   std::array<Tensor<double>, N> a;
   EntryBounds bounds;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "triplex/certify/block_plane.hpp"
+#include "triplex/certify/critical_zero.hpp"
 #include "triplex/certify/descartes.hpp"
 #include "triplex/certify/edge_side.hpp"
 #include "triplex/certify/exclusion.hpp"
@@ -101,6 +102,8 @@ class SignedSimplex {
                         : sheet.kind == Sheet::Kind::Balanced ? sign_p() != Sign::Zero
                                                               : sign_q() != Sign::Zero;
     if (absent || (!at_node && certifies_graph(simplex_, sheet, stages_))) return true;
+    if constexpr (N == 3)
+      if (!curved) return certifies_saddle(simplex_, sheet, stages_);
     if (curved && !near_spine && sheet.map.is_identity() && certifies_unperturbed(at_node))
       return true;
     if (at_node) return false;

@@ -203,7 +203,7 @@ LevelSides sides_at(const RefinableField& field, VertexId v, const FeatureTable&
   for (const FeatureRow& row : table.rows()) {
     if (row.kind != FeatureKind::LevelSet || !contains(requested, row.feature)) continue;
     Verdict side = tensor.decide(Inside{row.level}, stages);
-    if (side == Verdict::Unknown && field.is_enclosed(v))
+    if (side == Verdict::Unknown && !field.has_exact_tensor(v))
       side = side_by_corners(field, v, row.level, stages);
     switch (side) {
       case Verdict::Yes:

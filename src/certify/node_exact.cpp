@@ -15,6 +15,11 @@ namespace {
 
 using Weights = std::array<std::int64_t, 4>;
 
+Interval interval(const Exact& x) {
+  const auto [lo, hi] = CGAL::to_interval(x);
+  return {lo, hi};
+}
+
 /// The fraction of that denominator nearest to the node, if all its coordinates are in the box.
 std::optional<Weights> nearest_fraction(const IsolatedNode& node, std::int64_t denominator) {
   const auto d = static_cast<double>(denominator);
@@ -46,20 +51,18 @@ std::vector<std::int64_t> denominators() {
 }
 
 /// Whether a node at these weights lies in the domain, where there is one only.
-[[gnu::noinline]] bool is_in_domain(const Weights& w, const Tensor<Exact>& deviator,
+[[gnu::noinline]] bool is_in_domain(const std::array<Exact, 4>& w, const Tensor<Exact>& deviator,
                                     const IsolatedNode& node) {
   const Forms<Exact, 1> f = forms_of<Exact, 1>({deviator});
   const IntervalRounding protect;
-  const Interval sum(static_cast<double>(w[0] + w[1] + w[2] + w[3]));
+  const Interval sum = interval(w[0] + w[1] + w[2] + w[3]);
   const auto covers = [](const Range& domain, const Interval& x) {
     return domain.lo <= x.inf() && x.sup() <= domain.hi;
   };
   for (std::size_t k = 0; k < 3; ++k)
-    if (!covers(node.domain[k], Interval(static_cast<double>(w[k + 1])) / sum)) return false;
+    if (!covers(node.domain[k], interval(w[k + 1]) / sum)) return false;
   // The tensor is `sum` times the interpolated one, and so is the eigenvalue Q / (2 P).
-  const auto [p_lo, p_hi] = CGAL::to_interval(f.p[0]);
-  const auto [q_lo, q_hi] = CGAL::to_interval(f.q[0]);
-  return covers(node.domain[3], Interval(q_lo, q_hi) / (2 * Interval(p_lo, p_hi)) / sum);
+  return covers(node.domain[3], interval(f.q[0]) / (2 * interval(f.p[0])) / sum);
 }
 
 }  // namespace
@@ -101,9 +104,22 @@ std::array<std::int64_t, 4> exact_weights(const RefinableField& field,
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t k = 0; k < 9; ++k)
         sum[k] = sum[k] + Exact(static_cast<double>((*w)[i])) * (*tensors)[i][k];
-    if (is_node(sum) && is_in_domain(*w, sum, node)) return *w;
+    std::array<Exact, 4> exact;
+    for (std::size_t i = 0; i < 4; ++i) exact[i] = Exact(static_cast<double>((*w)[i]));
+    if (is_node(sum) && is_in_domain(exact, sum, node)) return *w;
   }
   return {};
+}
+
+bool is_at(const RefinableField& field, const std::array<VertexId, 4>& vertices,
+           const IsolatedNode& node, VertexId v) {
+  const auto is_corner = [&](VertexId corner) { return std::ranges::count(vertices, corner) > 0; };
+  if (!std::ranges::all_of(field.corners(v), is_corner)) return false;
+  Tensor<Exact> a = field.exact(v);
+  // The domain is that of tensors scaled as the doubles.
+  const Exact scale(std::ldexp(1.0, field.scale_exponent()));
+  for (Exact& x : a) x = x * scale;
+  return is_in_domain(field.exact_weights(v, vertices), a, node);
 }
 
 }  // namespace triplex

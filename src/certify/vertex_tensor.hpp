@@ -37,7 +37,7 @@ class VertexTensor {
         return verdict;
       }
     }
-    if (field_.is_enclosed(v_)) return Verdict::Unknown;
+    if (!field_.has_exact_tensor(v_)) return Verdict::Unknown;
     stages.count(Stage::Exact);
     const Tensor<Exact> exact = field_.exact_tensor(v_);
     verdict = test(exact, bounds, 0);

@@ -33,11 +33,14 @@ int directed_rotation(const EdgeCrossings& crossings, VertexId a, VertexId b) {
 /// The exact position of a vertex, as intervals. \pre inside an `IntervalRounding`.
 std::array<Interval, 3> position_of(const RefinableField& field, VertexId v) {
   const auto exact = field.exact_position(v);
+  const auto interval = [](const Exact& e) {
+    const Range range = enclosure(e);
+    return Interval(range.lo, range.hi);
+  };
   std::array<Interval, 3> x;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Range range = enclosure(exact[k]);
-    x[k] = Interval(range.lo, range.hi);
-  }
+  for (std::size_t k = 0; k < 3; ++k) x[k] = interval(exact[k]);
+  if (field.is_rational(v))
+    for (Interval& coordinate : x) coordinate = coordinate / interval(field.denominator(v));
   return x;
 }
 

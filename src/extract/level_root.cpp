@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "level_root.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "bracket.hpp"
@@ -72,9 +73,10 @@ EdgeRoot find_level_crossing(const RefinableField& field, const std::array<Verte
   root.error =
       certified_error([&](double t) { return side_by_filter(level, edge.at(t), bounds, scale); },
                       root.t, !first_inside);
-  // Where an end is known by an enclosure only, what the filter leaves open stays open.
-  if (root.error <= kWidestBracket || field.is_enclosed(ends[0]) || field.is_enclosed(ends[1]))
-    return root;
+  // Where an end has no exact tensor, what the filter leaves open stays open.
+  const bool is_exact =
+      std::ranges::all_of(ends, [&](VertexId v) { return field.has_exact_tensor(v); });
+  if (root.error <= kWidestBracket || !is_exact) return root;
   return bisect_exactly(field, ends, level, first_inside);
 }
 

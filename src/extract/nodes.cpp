@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "triplex/arithmetic/interval.hpp"
@@ -43,7 +44,8 @@ using ExactPoint = std::vector<std::pair<VertexId, std::int64_t>>;
 /// A node of the linear field of a tet, in the tet or at its boundary.
 struct Candidate {
   Node node;
-  ExactPoint point;  // empty if not known
+  ExactPoint point;                // empty if not known
+  std::optional<VertexId> vertex;  // a rational one that is the node
 };
 
 std::vector<std::uint8_t> nodes_at_vertices(const RefinableField& field) {
@@ -53,6 +55,15 @@ std::vector<std::uint8_t> nodes_at_vertices(const RefinableField& field) {
       found[v] = !field.is_enclosed(VertexId(v)) && is_node(field, VertexId(v));
   });
   return found;
+}
+
+/// Nodes that were made vertices because their place is known exactly.
+std::vector<VertexId> rational_nodes(const RefinableField& field) {
+  std::vector<VertexId> nodes;
+  if (!field.has_rational_vertices()) return nodes;
+  for (std::size_t v = field.input_vertex_count(); v < field.vertex_count(); ++v)
+    if (field.is_rational(VertexId(v)) && field.is_node(VertexId(v))) nodes.push_back(VertexId(v));
+  return nodes;
 }
 
 std::vector<Task> tasks_of(const RefinedComplex& complex, FeatureSet features) {
@@ -124,6 +135,21 @@ Range eigenvalue_in_units(const Interval& l, int scale_exponent) {
   node.eigenvalue_enclosure = eigenvalue_in_units(l, 0);
 }
 
+[[gnu::noinline]] void place(const RefinableField& field, VertexId v, Node& node) {
+  const Forms<Exact, 1> f = forms_of<Exact, 1>({field.exact(v)});
+  const auto position = field.exact_position(v);
+  const IntervalRounding protect;
+  const auto interval = [](const Exact& x) {
+    const auto [lo, hi] = CGAL::to_interval(x);
+    return Interval(lo, hi);
+  };
+  const Interval denominator = interval(field.denominator(v));
+  for (std::size_t k = 0; k < 3; ++k)
+    node.enclosure[k] = to_range(interval(position[k]) / denominator);
+  node.eigenvalue_enclosure =
+      eigenvalue_in_units(interval(f.q[0]) / (Interval(2.0) * interval(f.p[0])) / denominator, 0);
+}
+
 ExactPoint exact_point(const RefinableField& field, const Task& task, const IsolatedNode& found) {
   const auto weights = exact_weights(field, task.vertices, found);
   std::int64_t divisor = 0;
@@ -142,6 +168,7 @@ void set_middle(Node& node) {
 /// The nodes of a tet's linear field that may lie in the closed tet.
 std::vector<Candidate> candidates_of(const TensorField& input, const RefinableField& field,
                                      const Task& task, FeatureSet features,
+                                     const std::vector<VertexId>& rational,
                                      const std::vector<IsolatedNode>& nodes) {
   std::vector<Candidate> candidates;
   for (const IsolatedNode& found : nodes) {
@@ -154,13 +181,20 @@ std::vector<Candidate> candidates_of(const TensorField& input, const RefinableFi
     c.node.source_cell = input.source_cell(task.tet);
     if (std::ranges::all_of(x, [](const Range& r) { return r.lo > 0; })) {
       c.node.status = NodeStatus::Proven;
+    } else if (const auto v = std::ranges::find_if(
+                   rational, [&](VertexId u) { return is_at(field, task.vertices, found, u); });
+               v != rational.end()) {
+      c.vertex = *v;
+      c.node.status = NodeStatus::Face;
     } else {
       c.point = exact_point(field, task, found);
       c.node.status = c.point.empty()       ? NodeStatus::Shared
                       : c.point.size() == 1 ? NodeStatus::Vertex
                                             : NodeStatus::Face;
     }
-    if (c.point.empty()) {
+    if (c.vertex) {
+      place(field, *c.vertex, c.node);
+    } else if (c.point.empty()) {
       place(field, task, found, c.node);
     } else {
       place(field, c.point, c.node);
@@ -205,15 +239,19 @@ std::vector<Node> merge_shared(std::vector<Node> shared) {
 std::vector<Node> merge(const std::vector<std::vector<Candidate>>& candidates) {
   std::vector<Node> nodes, shared;
   std::map<ExactPoint, Node> exact;
+  std::map<VertexId, Node> rational;
   for (const auto& of_tet : candidates)
     for (const Candidate& c : of_tet) {
-      if (!c.point.empty()) {
+      if (c.vertex) {
+        rational.emplace(*c.vertex, c.node);  // the first tet's stays
+      } else if (!c.point.empty()) {
         exact.emplace(c.point, c.node);  // the first tet's stays
       } else {
         (c.node.status == NodeStatus::Proven ? nodes : shared).push_back(c.node);
       }
     }
   for (const auto& [point, node] : exact) nodes.push_back(node);
+  for (const auto& [vertex, node] : rational) nodes.push_back(node);
   for (const Node& node : merge_shared(std::move(shared))) nodes.push_back(node);
   for (Node& node : nodes) set_middle(node);
   std::ranges::sort(nodes, {}, [](const Node& n) { return std::pair(n.position, n.eigenvalue); });
@@ -242,6 +280,7 @@ NodeSearch find_nodes(const TensorField& input, const RefinedComplex& complex,
   features &= kDegenerate;
   if (features == 0) return search;
   const std::vector<Task> tasks = tasks_of(complex, features);
+  const std::vector<VertexId> rational = rational_nodes(complex.field);
   std::vector<std::vector<Candidate>> candidates(tasks.size());
   std::vector<NodeObstacle> obstacles(tasks.size());
   const auto search_in = [&](const std::vector<std::size_t>& numbers, int cells) {
@@ -250,7 +289,8 @@ NodeSearch find_nodes(const TensorField& input, const RefinedComplex& complex,
       const TetNodes found =
           isolate_nodes(complex.field, tasks[n].vertices, tasks[n].features, cells);
       obstacles[n] = found.obstacle;
-      candidates[n] = candidates_of(input, complex.field, tasks[n], features, found.nodes);
+      candidates[n] =
+          candidates_of(input, complex.field, tasks[n], features, rational, found.nodes);
     });
   };
   std::vector<std::size_t> rest(tasks.size());

@@ -44,12 +44,9 @@ double volume_approx(const RefinableField& field, const std::array<VertexId, 4>&
                    e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]));
 }
 
-/// Of the tet's volume: every bisection halves it; at a node it is measured.
+/// Of the tet's volume.
 double share_of(const RefinedComplex& complex, const Leaf& leaf) {
   const RefinableField& field = complex.field;
-  const bool at_node =
-      std::ranges::any_of(leaf.vertices, [&](VertexId v) { return field.is_enclosed(v); });
-  if (!at_node) return std::ldexp(1.0, -static_cast<int>(leaf.depth));
   return volume_approx(field, leaf.vertices) /
          volume_approx(field, field.input_tets()[index(leaf.input)]);
 }

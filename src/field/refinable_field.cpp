@@ -11,6 +11,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "triplex/arithmetic/interval.hpp"
+
 namespace triplex {
 namespace {
 
@@ -31,6 +33,23 @@ int common_scale(const std::vector<Tensor<double>>& tensors) {
 
 /// What scaling down may lose: one rounding below the smallest normal double, tripled and summed.
 constexpr double kUnderflow = 0x1p-1070;
+
+/// numerator / 2^depth
+struct Dyadic {
+  std::uint64_t numerator;
+  int depth;
+};
+
+/// \pre inside (0, 1) and a multiple of 2^-kMaxDepth.
+Dyadic dyadic(double x) {
+  Dyadic r{static_cast<std::uint64_t>(std::ldexp(x, RefinableField::kMaxDepth)),
+           RefinableField::kMaxDepth};
+  while (r.numerator % 2 == 0) {
+    r.numerator /= 2;
+    r.depth -= 1;
+  }
+  return r;
+}
 
 /// With A' the exact result and M its largest entry, t_xx - t_yy = (A'_xx - A'_yy) / 3 is below 2 M
 /// / 3, and so is t_xx - t_zz: rounding them and their sum costs at most u (2/3 + 2/3 + 1) M and
@@ -85,6 +104,46 @@ RefinableField::RefinableField(const TensorField& field)
     for (std::size_t v = range.begin(); v < range.end(); ++v)
       approximations_[v] = approximate_input(field.tensors[input_of_[v]], scale_exponent_);
   });
+  find_mirror_planes();
+}
+
+void RefinableField::find_mirror_planes() {
+  std::vector<std::uint8_t> axes(input_of_.size());
+  tbb::parallel_for(std::size_t{0}, axes.size(), [&](std::size_t v) {
+    const unsigned zero = zero_couplings(VertexId(v));
+    axes[v] = static_cast<std::uint8_t>(zero & zero >> 3);
+  });
+  if (std::ranges::count(axes, 0) == std::ranges::ssize(axes)) return;
+  for (const auto& tet : input_tets_)
+    for (std::size_t omit = 0; omit < 4; ++omit) {
+      unsigned common = 0b111;
+      std::array<VertexId, 3> face;
+      for (std::size_t i = 0, n = 0; i < 4; ++i)
+        if (i != omit) common &= axes[index(face[n++] = tet[i])];
+      if (common == 0) continue;
+      std::ranges::sort(face);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (common >> axis & 1u)
+          for (const auto& [i, j] : {std::array{0, 1}, {0, 2}, {1, 2}})
+            mirror_edges_[axis].push_back({face[i], face[j]});
+    }
+  for (auto& edges : mirror_edges_) {
+    std::ranges::sort(edges);
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  }
+}
+
+bool RefinableField::is_in_mirror_plane(std::span<const VertexId> simplex, int axis) const {
+  std::vector<VertexId> carrier;
+  for (const VertexId v : simplex)
+    for (const VertexId corner : corners(v)) carrier.push_back(corner);
+  std::ranges::sort(carrier);
+  carrier.erase(std::unique(carrier.begin(), carrier.end()), carrier.end());
+  if (carrier.size() < 2) return false;
+  for (std::size_t i = 0; i + 1 < carrier.size(); ++i)
+    if (!std::ranges::binary_search(mirror_edges_[axis], std::array{carrier[i], carrier[i + 1]}))
+      return false;
+  return true;
 }
 
 std::vector<VertexId> RefinableField::vertices_of_input() const {
@@ -105,8 +164,17 @@ std::array<Exact, N> RefinableField::exact_combination(
     VertexId v, const std::vector<std::array<double, N>>& of_input) const {
   if (is_enclosed(v))
     throw std::logic_error("the tensor of an enclosed vertex is not known exactly");
-  const Combination c = combination(v);
   std::array<Exact, N> sum;
+  if (is_rational(v)) {
+    const Rational& r = rational_.at(v);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (r.numerators[i].is_zero()) continue;
+      const std::array<double, N>& x = of_input[input_of_[index(r.vertices[i])]];
+      for (std::size_t k = 0; k < N; ++k) sum[k] = sum[k] + r.numerators[i] * Exact(x[k]);
+    }
+    return sum;
+  }
+  const Combination c = combination(v);
   for (int i = 0; i < 4; ++i) {
     if (c.numerators[i] == 0) continue;
     // n < 2^51 is exact as a double, and so is the scaling by a power of two.
@@ -141,6 +209,7 @@ void RefinableField::keep_tensors() {
 /// Scaling is exact but for underflow; the combination is as in `add_midpoint`.
 ApproximateTensor RefinableField::combine_tensor(VertexId v) const {
   if (is_enclosed(v)) return combine_enclosed(enclosed_.at(v), true);
+  if (is_rational(v)) return combine_rational(rational_.at(v), true);
   const Combination c = combination(v);
   ApproximateTensor r{};
   for (int i = 0; i < 4; ++i) {
@@ -177,23 +246,123 @@ ApproximateTensor RefinableField::combine_enclosed(const Enclosed& e, bool with_
   return r;
 }
 
+/// Lower ends of enclosures one rounding wide, divided: off by three times 2^-52 at most.
+[[gnu::noinline]] std::array<double, 4> RefinableField::Rational::weights_approx() const {
+  const IntervalRounding protect;
+  const double whole = CGAL::to_interval(denominator).first;
+  std::array<double, 4> w;
+  for (std::size_t i = 0; i < 4; ++i) w[i] = CGAL::to_interval(numerators[i]).first / whole;
+  return w;
+}
+
+/// The weights are off by kWeightError of themselves at most and sum to one; else as in
+/// `add_midpoint`.
+ApproximateTensor RefinableField::combine_rational(const Rational& r, bool with_trace) const {
+  ApproximateTensor t{};
+  const auto weights = r.weights_approx();
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (r.numerators[i].is_zero()) continue;
+    const ApproximateTensor corner =
+        with_trace ? combine_tensor(r.vertices[i]) : approximations_[index(r.vertices[i])];
+    for (std::size_t k = 0; k < 9; ++k) t.a[k] += weights[i] * corner.a[k];
+    t.bounds.error = std::fmax(t.bounds.error, corner.bounds.error + (gamma(5) + 2 * kWeightError) *
+                                                                         corner.bounds.magnitude);
+  }
+  t.bounds.magnitude = largest_entry(t.a);
+  return t;
+}
+
+VertexId RefinableField::add_rational(const std::array<VertexId, 4>& tet,
+                                      const std::array<Exact, 4>& weights) {
+  Rational r{tet, weights, Exact(0), 0};
+  for (const Exact& n : weights) r.denominator = r.denominator + n;
+  return add(std::move(r));
+}
+
+/// Brings the denominator into [1, 2), by a power of two.
+VertexId RefinableField::add(Rational r) {
+  Exact factor(std::ldexp(1.0, -std::ilogb(CGAL::to_double(r.denominator))));
+  if (sign(r.denominator * factor - Exact(1)) == Sign::Negative) factor = factor * Exact(2);
+  r.denominator = r.denominator * factor;
+  for (Exact& n : r.numerators) n = n * factor;
+  const auto v = static_cast<VertexId>(approximations_.size());
+  if (rational_.empty()) rational_from_ = index(v);
+  midpoints_.emplace_back();
+  approximations_.push_back(combine_rational(r, false));
+  if (!tensors_.empty()) tensors_.push_back(combine_rational(r, true));
+  rational_.emplace(v, std::move(r));
+  return v;
+}
+
+std::array<Exact, 4> RefinableField::exact_weights(VertexId v,
+                                                   const std::array<VertexId, 4>& tet) const {
+  std::array<Exact, 4> w;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!is_rational(v)) {
+      w[i] = Exact(weight(v, tet[i]));
+      continue;
+    }
+    const Rational& r = rational_.at(v);
+    for (std::size_t k = 0; k < 4; ++k)
+      if (r.vertices[k] == tet[i]) w[i] = w[i] + r.numerators[k];
+  }
+  return w;
+}
+
+Exact RefinableField::denominator(VertexId v) const {
+  return is_rational(v) ? rational_.at(v).denominator : Exact(1);
+}
+
+/// (1 - at) n_a / N_a + at n_b / N_b, over N_a N_b or over their common value: the denominators are
+/// those of few points.
+std::optional<VertexId> RefinableField::add_rational_between(VertexId a, VertexId b, double at) {
+  if (!is_rational(a)) {
+    std::swap(a, b);
+    at = 1 - at;
+  }
+  Rational middle = rational_.at(a);
+  if (is_rational(b)) middle.depth = std::max(middle.depth, rational_.at(b).depth);
+  middle.depth += dyadic(at).depth;
+  if (middle.depth > kMaxDepth) return std::nullopt;
+  const Exact own = denominator(a), other = denominator(b);
+  const bool same = own == other;
+  for (Exact& n : middle.numerators) n = n * Exact(1 - at) * (same ? Exact(1) : other);
+  middle.denominator = same ? own : own * other;
+  for (const VertexId corner : corners(b)) {
+    auto slot = std::ranges::find(middle.vertices, corner);
+    if (slot == middle.vertices.end()) {
+      const auto unused = std::ranges::find_if(middle.numerators, &Exact::is_zero);
+      slot = middle.vertices.begin() + (unused - middle.numerators.begin());
+      *slot = corner;
+    }
+    Exact& sum = middle.numerators[static_cast<std::size_t>(slot - middle.vertices.begin())];
+    const Exact n = exact_weights(b, {corner, corner, corner, corner})[0];
+    sum = sum + n * Exact(at) * (same ? Exact(1) : own);
+  }
+  return add(std::move(middle));
+}
+
 VertexId RefinableField::add_node(const std::array<VertexId, 4>& tet,
                                   const std::array<double, 4>& centre, double radius) {
   return add(Enclosed{tet, centre, radius, true});
 }
 
-/// The mean of two weights is rounded once, by 2^-53 at most.
-std::optional<VertexId> RefinableField::add_enclosed_midpoint(VertexId a, VertexId b) {
-  if (!is_enclosed(a)) std::swap(a, b);
-  Enclosed middle{enclosed_.at(a).vertices, {}, enclosed_.at(a).radius / 2, false};
+/// The mean of two weights is rounded by 2^-51 at most: three roundings of numbers up to one.
+std::optional<VertexId> RefinableField::add_enclosed_between(VertexId a, VertexId b, double at) {
+  if (!is_enclosed(a)) {
+    std::swap(a, b);
+    at = 1 - at;
+  }
+  Enclosed middle{enclosed_.at(a).vertices, {}, (1 - at) * enclosed_.at(a).radius, false};
   const bool both = is_enclosed(b);
-  if (both) middle.radius += enclosed_.at(b).radius / 2;
-  middle.radius = middle.radius * (1 + 0x1p-20) + 0x1p-52;
+  if (both) middle.radius += at * enclosed_.at(b).radius;
+  if (is_rational(b)) middle.radius += at * kWeightError;
+  middle.radius = middle.radius * (1 + 0x1p-20) + 0x1p-51;
   double length = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     const double from = enclosed_.at(a).weights[i];
     const double to = both ? enclosed_.at(b).weights[i] : weight(b, middle.vertices[i]);
-    middle.weights[i] = (from + to) / 2;
+    middle.weights[i] = (1 - at) * from + at * to;
     length = std::fmax(length, std::fabs(from - to));
   }
   constexpr double kLeastLength = 64;  // radii: what is shorter could not be certified anyway
@@ -213,21 +382,35 @@ VertexId RefinableField::add(const Enclosed& e) {
 
 unsigned RefinableField::zero_couplings(VertexId v) const {
   if (is_enclosed(v)) return 0;
-  const Combination c = combination(v);
-  unsigned zero = 0b111111;
-  for (std::size_t i = 0; i < 4 && zero != 0; ++i) {
-    if (c.numerators[i] == 0) continue;
-    const Tensor<double>& t = field_->tensors[input_of_[index(c.vertices[i])]];
+  const auto zero_at = [&](VertexId corner) {
+    unsigned zero = 0b111111;
+    const Tensor<double>& t = field_->tensors[input_of_[index(corner)]];
     for (std::size_t k = 0; k < 3; ++k)
       for (const std::size_t other : {(k + 1) % 3, (k + 2) % 3}) {
         if (t[3 * other + k] != 0) zero &= ~(1u << k);
         if (t[3 * k + other] != 0) zero &= ~(8u << k);
       }
+    return zero;
+  };
+  unsigned zero = 0b111111;
+  if (is_rational(v)) {
+    for (const VertexId corner : corners(v)) zero &= zero_at(corner);
+    return zero;
   }
+  const Combination c = combination(v);
+  for (std::size_t i = 0; i < 4 && zero != 0; ++i)
+    if (c.numerators[i] != 0) zero &= zero_at(c.vertices[i]);
   return zero;
 }
 
 double RefinableField::weight(VertexId v, VertexId corner) const {
+  if (is_rational(v)) {
+    const Rational& r = rational_.at(v);
+    const auto at = std::ranges::find(r.vertices, corner);
+    return at == r.vertices.end()
+               ? 0
+               : r.weights_approx()[static_cast<std::size_t>(at - r.vertices.begin())];
+  }
   const Combination c = combination(v);
   for (std::size_t i = 0; i < 4; ++i)
     if (c.numerators[i] != 0 && c.vertices[i] == corner)
@@ -243,6 +426,15 @@ Point RefinableField::position(VertexId v) const {
       const Point corner = position(e.vertices[i]);
       for (std::size_t k = 0; k < 3; ++k) x[k] += e.weights[i] * corner[k];
     }
+    return x;
+  }
+  if (is_rational(v)) {  // from one corner, so that a coordinate that all corners share is kept
+    const auto used = corners(v);
+    const Point origin = position(used.front());
+    Point x = origin;
+    for (const VertexId corner : used)
+      for (std::size_t k = 0; k < 3; ++k)
+        x[k] += weight(v, corner) * (position(corner)[k] - origin[k]);
     return x;
   }
   const Combination c = combination(v);
@@ -262,24 +454,36 @@ std::vector<VertexId> RefinableField::corners(VertexId v) const {
     const auto& corners = enclosed_.at(v).vertices;
     return {corners.begin(), corners.end()};
   }
-  const Combination c = combination(v);
   std::vector<VertexId> r;
+  if (is_rational(v)) {
+    const Rational& point = rational_.at(v);
+    for (std::size_t i = 0; i < 4; ++i)
+      if (!point.numerators[i].is_zero()) r.push_back(point.vertices[i]);
+    return r;
+  }
+  const Combination c = combination(v);
   for (int i = 0; i < 4; ++i)
     if (c.numerators[i] != 0) r.push_back(c.vertices[i]);
   return r;
 }
 
-std::optional<VertexId> RefinableField::add_midpoint(VertexId a, VertexId b) {
-  if (is_enclosed(a) || is_enclosed(b)) return add_enclosed_midpoint(a, b);
+std::optional<VertexId> RefinableField::add_point_between(VertexId a, VertexId b, double at) {
+  if (is_enclosed(a) || is_enclosed(b)) return add_enclosed_between(a, b, at);
+  if (is_rational(a) || is_rational(b)) return add_rational_between(a, b, at);
   const std::array<Combination, 2> ends = {combination(a), combination(b)};
+  const Dyadic ratio = dyadic(at);
+  const std::array<std::uint64_t, 2> shares = {(std::uint64_t{1} << ratio.depth) - ratio.numerator,
+                                               ratio.numerator};
   Combination middle;
-  middle.depth = std::max(ends[0].depth, ends[1].depth) + 1;
+  middle.depth = std::max(ends[0].depth, ends[1].depth) + ratio.depth;
   if (middle.depth > kMaxDepth) return std::nullopt;
   int used = 0;
-  for (const Combination& end : ends) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Combination& end = ends[k];
     for (int i = 0; i < 4; ++i) {
       if (end.numerators[i] == 0) continue;
-      const std::uint64_t n = end.numerators[i] << (middle.depth - 1 - end.depth);
+      const std::uint64_t n = shares[k] * end.numerators[i]
+                              << (middle.depth - ratio.depth - end.depth);
       const auto known =
           std::find(middle.vertices.begin(), middle.vertices.begin() + used, end.vertices[i]);
       const auto slot = known - middle.vertices.begin();

@@ -3,6 +3,13 @@
 #include "bisection.hpp"
 
 namespace triplex {
+namespace {
+
+/// Edges of the input are cut beside the middle: on regular grids the middles of edges span planes
+/// of symmetry of the flow, in which sheets touch the faces that bisection would make there.
+constexpr double kFirstCut = 15.0 / 32, kMiddle = 0.5;
+
+}  // namespace
 
 MarkedEdges::MarkedEdges(std::vector<Mark> marks, RefinableField& field) {
   // One mark per edge, with its largest variation.
@@ -17,7 +24,10 @@ MarkedEdges::MarkedEdges(std::vector<Mark> marks, RefinableField& field) {
   ends_.assign(field.vertex_count(), 0);
   by_edge_.reserve(marks.size());
   for (const Mark& mark : marks) {
-    const auto midpoint = field.add_midpoint(mark.edge[0], mark.edge[1]);
+    const bool is_of_input = index(mark.edge[0]) < field.input_vertex_count() &&
+                             index(mark.edge[1]) < field.input_vertex_count();
+    const auto midpoint =
+        field.add_point_between(mark.edge[0], mark.edge[1], is_of_input ? kFirstCut : kMiddle);
     if (!midpoint) continue;
     by_edge_.push_back({mark.edge, static_cast<std::uint32_t>(by_edge_.size()), *midpoint});
     for (const VertexId v : mark.edge) ends_[index(v)] = 1;
@@ -54,6 +64,19 @@ void sort_vertices(Leaf& leaf) {
         std::swap(v[j], v[j + 1]);
         leaf.flipped = !leaf.flipped;
       }
+}
+
+std::vector<Leaf> starred(const Leaf& leaf, unsigned face, VertexId point) {
+  std::vector<Leaf> parts;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if ((face >> i & 1u) == 0) continue;
+    Leaf part{.vertices = leaf.vertices, .input = leaf.input, .flipped = leaf.flipped};
+    part.depth = leaf.depth;
+    part.vertices[i] = point;
+    sort_vertices(part);
+    parts.push_back(part);
+  }
+  return parts;
 }
 
 void bisect(const Leaf& leaf, const MarkedEdges& marked, std::vector<Leaf>& out) {

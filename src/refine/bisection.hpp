@@ -50,6 +50,10 @@ class MarkedEdges {
 /// Puts the vertices of a tet in ascending order; every swap flips its orientation.
 void sort_vertices(Leaf& leaf);
 
+/// Replaces a tet by those that join a point of it to the faces that do not hold the point: one per
+/// vertex of `face`, the bit mask of the smallest face with the point.
+std::vector<Leaf> starred(const Leaf& leaf, unsigned face, VertexId point);
+
 /// Bisects a tet along its marked edges, first to last; appends the resulting tets.
 void bisect(const Leaf& leaf, const MarkedEdges& marked, std::vector<Leaf>& out);
 

@@ -52,18 +52,25 @@ void LeafLookup::add_leaf(std::uint32_t sibling) {
   next_[sibling] = static_cast<std::uint32_t>(next_.size() - 1);
 }
 
-void LeafLookup::add_tets_around(const MarkedEdges::Entry& mark, const RefinableField& field,
+void LeafLookup::add_tets_around(std::span<const VertexId> corners, const RefinableField& field,
                                  std::vector<std::uint32_t>& out) const {
-  // A tet of the input that holds the edge has every corner that its ends are combined of.
-  const auto a = field.corners(mark.edge[0]), b = field.corners(mark.edge[1]);
-  const std::size_t v = index(a.front());
+  const std::size_t v = index(corners.front());
   for (std::uint32_t n = first_[v]; n < first_[v + 1]; ++n) {
     const auto& tet = field.input_tets()[tets_[n]];
     const auto has = [&](VertexId corner) {
       return std::find(tet.begin(), tet.end(), corner) != tet.end();
     };
-    if (std::ranges::all_of(a, has) && std::ranges::all_of(b, has)) out.push_back(tets_[n]);
+    if (std::ranges::all_of(corners, has)) out.push_back(tets_[n]);
   }
+}
+
+std::vector<std::uint32_t> LeafLookup::leaves_around(std::span<const VertexId> corners,
+                                                     const RefinableField& field) const {
+  std::vector<std::uint32_t> tets, leaves;
+  add_tets_around(corners, field, tets);
+  for (const std::uint32_t tet : tets)
+    for (std::uint32_t leaf = tet; leaf != kNone; leaf = next_[leaf]) leaves.push_back(leaf);
+  return leaves;
 }
 
 std::vector<std::uint32_t> LeafLookup::leaves_with(const MarkedEdges& marked,
@@ -73,8 +80,12 @@ std::vector<std::uint32_t> LeafLookup::leaves_with(const MarkedEdges& marked,
   const auto& marks = marked.entries();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, marks.size(), 64), [&](const auto& range) {
     auto& mine = tets_around.local();
-    for (std::size_t n = range.begin(); n < range.end(); ++n)
-      add_tets_around(marks[n], field, mine);
+    for (std::size_t n = range.begin(); n < range.end(); ++n) {
+      // A tet of the input that holds the edge has every corner that its ends are combined of.
+      auto corners = field.corners(marks[n].edge[0]);
+      for (const VertexId corner : field.corners(marks[n].edge[1])) corners.push_back(corner);
+      add_tets_around(corners, field, mine);
+    }
   });
   const std::vector<std::uint32_t> tets = joined(tets_around);
 

@@ -28,6 +28,12 @@ Sign sign_of_determinant(const Coordinates& m) {
   return d.inf() > 0 ? Sign::Positive : d.sup() < 0 ? Sign::Negative : Sign::Zero;
 }
 
+Interval weight_in(const RefinableField& field, VertexId v, VertexId corner) {
+  const Interval w(field.weight(v, corner));
+  if (!field.is_rational(v)) return w;
+  return w + Interval(-RefinableField::kWeightError, RefinableField::kWeightError);
+}
+
 }  // namespace
 
 Sector real_side(const FeatureTable& table, Feature page) {
@@ -80,7 +86,7 @@ bool NodeStars::holds(const Leaf& leaf, const Waiting& node) const {
   Coordinates m;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j)
-      m[i][j] = Interval(complex_.field.weight(leaf.vertices[i], node.tet[j]));
+      m[i][j] = weight_in(complex_.field, leaf.vertices[i], node.tet[j]);
   const Sign whole = sign_of_determinant(m);
   if (whole == Sign::Zero) return false;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -120,18 +126,6 @@ bool NodeStars::only_its_page_near(const Leaf& leaf, VertexId node, SignStages& 
     return sheet.kind != Sheet::Kind::Curved || sheet.map.is_identity() ||
            excludes_page(cell, sheet, stages);
   });
-}
-
-std::array<Leaf, 4> NodeStars::planted(const Leaf& leaf, VertexId node) {
-  std::array<Leaf, 4> parts;
-  for (std::size_t i = 0; i < 4; ++i) {
-    Leaf& part = parts[i];
-    part = {.vertices = leaf.vertices, .input = leaf.input, .flipped = leaf.flipped};
-    part.depth = leaf.depth;
-    part.vertices[i] = node;
-    sort_vertices(part);
-  }
-  return parts;
 }
 
 void NodeStars::mark_planted(VertexId node) {

@@ -26,8 +26,6 @@ class NodeStars {
   void search(std::vector<TetId> tets, SignStages& stages);
   /// The node to be planted in a leaf, if any is ready. Only reads.
   std::optional<VertexId> ready_in(const Leaf& leaf, SignStages& stages) const;
-  /// Replaces a leaf by the four tets around a node in it.
-  static std::array<Leaf, 4> planted(const Leaf& leaf, VertexId node);
   void mark_planted(VertexId node);
 
  private:

@@ -7,9 +7,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <optional>
 
 #include "bisection.hpp"
+#include "exact_points.hpp"
 #include "leaf_lookup.hpp"
 #include "node_stars.hpp"
 #include "triplex/certify/sweep.hpp"
@@ -24,6 +26,8 @@ constexpr std::size_t kSlice = 1u << 16;  // tets between progress reports
 /// tets need fewer, and a search that finds nothing is wasted.
 constexpr std::uint32_t kBisectionsBeforeSearch = 8;
 
+constexpr unsigned kWhole = 0b1111;  // all vertices of a tet
+
 using StagesPerThread = tbb::enumerable_thread_specific<SignStages>;
 
 class Refinement {
@@ -34,6 +38,7 @@ class Refinement {
         sweeps_((options.features & kStandardSet) != 0 &&
                 options.table.page_count() == kStandardPages),
         complex_(input),
+        exact_points_(complex_.field, options.features),
         stars_(complex_, options.table, options.features),
         spent_(input.mesh.tets.size(), 0) {
     if (level_sets_ != 0) complex_.field.keep_tensors();
@@ -131,6 +136,7 @@ class Refinement {
                         });
       if (options_.progress) options_.progress(progress(end));
     }
+    plant_exact_points();
     plant_nodes();
     return collect_marks();
   }
@@ -172,34 +178,76 @@ class Refinement {
       wishes_.local().push_back({pending_[n], {certificate.edge, certificate.variation}});
   }
 
-  /// Where refinement lasts there may be nodes: they become vertices as soon as the tets around
-  /// them can be certified.
-  void plant_nodes() {
+  /// The open ones among the pending leaves of tets in which refinement lasts.
+  std::vector<std::uint32_t> lasting() const {
     std::vector<std::uint32_t> open;
-    std::vector<TetId> tets;
     for (const std::uint32_t n : pending_) {
       const Leaf& leaf = complex_.leaves[n];
-      if (leaf.open == 0 || spent_[index(leaf.input)] < kBisectionsBeforeSearch) continue;
-      open.push_back(n);
-      tets.push_back(leaf.input);
+      if (leaf.open != 0 && spent_[index(leaf.input)] >= kBisectionsBeforeSearch) open.push_back(n);
     }
+    return open;
+  }
+  std::vector<TetId> input_tets_of(const std::vector<std::uint32_t>& leaves) const {
+    std::vector<TetId> tets;
+    for (const std::uint32_t n : leaves) tets.push_back(complex_.leaves[n].input);
+    return tets;
+  }
+
+  /// Where refinement lasts there may be points that no halving reaches: they become vertices, with
+  /// all their copies.
+  void plant_exact_points() {
+    const std::vector<std::uint32_t> open = lasting();
     if (open.empty()) return;
-    stars_.search(std::move(tets), stages_.local());
-    std::vector<std::optional<VertexId>> ready(open.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, open.size(), 16), [&](const auto& range) {
-      for (std::size_t n = range.begin(); n < range.end(); ++n)
-        ready[n] = stars_.ready_in(complex_.leaves[open[n]], stages_.local());
-    });
-    std::vector<std::uint32_t> replaced;
     const std::size_t first = pending_.size();
-    for (std::size_t n = 0; n < open.size(); ++n)
-      if (ready[n]) {
-        replace(open[n], NodeStars::planted(complex_.leaves[open[n]], *ready[n]));
-        stars_.mark_planted(*ready[n]);
-        replaced.push_back(open[n]);
-      }
+    std::vector<std::uint32_t> replaced;
+    for (const ExactPoint& point : exact_points_.search(input_tets_of(open))) {
+      std::vector<std::pair<std::array<VertexId, 3>, VertexId>> planted;
+      for (const auto& carrier : complex_.copies.copies(point.carrier))
+        if (const auto v = plant({carrier, point.weights}, replaced))
+          planted.emplace_back(carrier, *v);
+      for (const auto& [carrier, v] : planted)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          for (const auto& [other, low] : planted)
+            if (auto lower = carrier; complex_.copies.lower(axis, lower) && lower == other)
+              complex_.copies.add_midpoint(axis, v, low);
+    }
     if (replaced.empty()) return;
+    label_vertices();
+    recertify(std::move(replaced), first);
+  }
+
+  /// Makes the point a vertex, unless it is one already or known only by comparison with an
+  /// enclosure.
+  std::optional<VertexId> plant(const ExactPoint& point, std::vector<std::uint32_t>& replaced) {
+    std::vector<std::pair<std::uint32_t, unsigned>> around;
+    for (const std::uint32_t n : lookup_->leaves_around(point.carrier, complex_.field)) {
+      const Leaf& leaf = complex_.leaves[n];
+      if (std::ranges::any_of(leaf.vertices,
+                              [&](VertexId v) { return complex_.field.is_enclosed(v); }))
+        return {};
+      const auto face = face_with(complex_.field, leaf, point);
+      if (face && std::has_single_bit(*face)) return {};
+      if (face) around.emplace_back(n, *face);
+    }
+    if (around.empty()) return {};
+    const auto& [a, b, c] = point.carrier;
+    const auto& [u, v, w] = point.weights;
+    const VertexId vertex = complex_.field.add_rational({a, b, c, a}, {u, v, w, Exact(0)});
+    for (const auto& [n, face] : around) {
+      replace(n, starred(complex_.leaves[n], face, vertex));
+      replaced.push_back(n);
+    }
+    return vertex;
+  }
+
+  /// Leaves that were replaced, with what was appended to the pending ones from `first` on.
+  void recertify(std::vector<std::uint32_t> replaced, std::size_t first) {
     std::ranges::sort(replaced);
+    replaced.erase(std::unique(replaced.begin(), replaced.end()), replaced.end());
+    std::erase_if(replaced, [&](std::uint32_t n) {
+      return std::find(pending_.begin() + static_cast<std::ptrdiff_t>(first), pending_.end(), n) !=
+             pending_.end();
+    });
     for (auto& wishes : wishes_)
       std::erase_if(wishes,
                     [&](const Wish& w) { return std::ranges::binary_search(replaced, w.leaf); });
@@ -210,6 +258,28 @@ class Refinement {
                         for (std::size_t n = range.begin(); n < range.end(); ++n)
                           certify(n, SweptCell{}, stages_.local());
                       });
+  }
+
+  /// Where refinement lasts there may be nodes: they become vertices as soon as the tets around
+  /// them can be certified.
+  void plant_nodes() {
+    const std::vector<std::uint32_t> open = lasting();
+    if (open.empty()) return;
+    stars_.search(input_tets_of(open), stages_.local());
+    std::vector<std::optional<VertexId>> ready(open.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, open.size(), 16), [&](const auto& range) {
+      for (std::size_t n = range.begin(); n < range.end(); ++n)
+        ready[n] = stars_.ready_in(complex_.leaves[open[n]], stages_.local());
+    });
+    std::vector<std::uint32_t> replaced;
+    const std::size_t first = pending_.size();
+    for (std::size_t n = 0; n < open.size(); ++n)
+      if (ready[n]) {
+        replace(open[n], starred(complex_.leaves[open[n]], kWhole, *ready[n]));
+        stars_.mark_planted(*ready[n]);
+        replaced.push_back(open[n]);
+      }
+    if (!replaced.empty()) recertify(std::move(replaced), first);
   }
 
   /// Puts the first part in place of the leaf and appends the others; the latter become pending.
@@ -284,6 +354,7 @@ class Refinement {
   const FeatureSet level_sets_;  // requested
   const bool sweeps_;            // the sweep knows the book
   RefinedComplex complex_;
+  ExactPoints exact_points_;
   NodeStars stars_;
   StagesPerThread stages_;
   std::vector<std::uint32_t> spent_;    // bisections asked for, per input tet

@@ -70,6 +70,67 @@ TEST(Refine, MeshIsConformingAndOriented) {
   }
 }
 
+/// Faces and edges on the planes of symmetry of this flow hold points that no halving reaches.
+TEST(Refine, IsConformingAroundExactPoints) {
+  GridOptions grid;
+  grid.n = 8;
+  const TensorField field = generate_abc(grid);
+  const RefinedComplex c = refined(field, 24);
+  ASSERT_TRUE(c.field.has_rational_vertices());
+  std::map<std::array<VertexId, 3>, int> faces;
+  double volume = 0;
+  for (const Leaf& leaf : c.leaves) {
+    EXPECT_GT(six_volumes(c, leaf), 0);
+    volume += six_volumes(c, leaf) / 6;
+    for (int omit = 0; omit < 4; ++omit) {
+      std::array<VertexId, 3> face;
+      for (int i = 0, k = 0; i < 4; ++i)
+        if (i != omit) face[k++] = leaf.vertices[i];
+      ++faces[face];
+    }
+  }
+  const double side = field.mesh.points.back()[0];
+  EXPECT_NEAR(volume, side * side * side, 1e-9);
+  for (const auto& [face, count] : faces) {
+    ASSERT_LE(count, 2);
+    bool on_side = count == 2;
+    for (int k = 0; k < 3; ++k)
+      for (const double limit : {0.0, side})
+        on_side |=
+            std::ranges::all_of(face, [&](VertexId v) { return c.field.position(v)[k] == limit; });
+    EXPECT_TRUE(on_side);
+  }
+}
+
+TEST(Refine, RationalPointsAreExactUpToTheirDenominator) {
+  const TensorField field = rolls();
+  RefinableField f(field);
+  const auto tet = f.input_tets().front();
+  VertexId a = f.add_rational(tet, {Exact(1.0), Exact(5.0), Exact(0.0), Exact(7.0)});
+  const VertexId other = f.add_rational(tet, {Exact(0.0), Exact(1.0), Exact(2.0), Exact(0.0)});
+  EXPECT_EQ(f.corners(a).size(), 3u);
+  EXPECT_NEAR(f.weight(a, tet[1]), 5.0 / 13, 1e-15);
+  for (const VertexId end : {tet[2], other, tet[0]}) {
+    const auto m = f.add_point_between(a, end, 0.375);
+    ASSERT_TRUE(m);
+    ASSERT_TRUE(f.is_rational(*m));
+    const Exact na = f.denominator(a), ne = f.denominator(end), nm = f.denominator(*m);
+    EXPECT_NE(sign(nm - Exact(1)), Sign::Negative);
+    EXPECT_EQ(sign(nm - Exact(2)), Sign::Negative);
+    const auto ta = f.exact(a), te = f.exact(end), tm = f.exact(*m);
+    const ApproximateTensor& approximate = f.approximate(*m);
+    const Exact scale(std::ldexp(1.0, f.scale_exponent())), bound(approximate.bounds.error);
+    for (std::size_t k = 0; k < 9; ++k) {
+      const Exact mean = Exact(0.625) * ta[k] * ne + Exact(0.375) * te[k] * na;  // times na ne
+      EXPECT_TRUE((tm[k] * na * ne - mean * nm).is_zero());
+      const Exact difference = tm[k] * scale - Exact(approximate.a[k]) * nm;
+      EXPECT_NE(sign(difference - bound * nm), Sign::Positive);
+      EXPECT_NE(sign(difference + bound * nm), Sign::Negative);
+    }
+    a = *m;
+  }
+}
+
 TEST(Refine, MidpointsCarryTheExactMeanAndBoundedDoubles) {
   const TensorField field = rolls();
   RefinableField f(field);

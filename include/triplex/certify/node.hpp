@@ -64,4 +64,9 @@ std::array<std::int64_t, 4> exact_weights(const RefinableField& field,
                                           const std::array<VertexId, 4>& vertices,
                                           const IsolatedNode& node);
 
+/// Whether a vertex, a declared node that is not enclosed, is the given node of a tet.
+/// Guarantee: exact.
+bool is_at(const RefinableField& field, const std::array<VertexId, 4>& vertices,
+           const IsolatedNode& node, VertexId v);
+
 }  // namespace triplex

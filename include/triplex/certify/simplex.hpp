@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "triplex/arithmetic/exact.hpp"
 #include "triplex/arithmetic/filter.hpp"
@@ -53,6 +55,25 @@ class AllPositive {
   Verdict verdict_ = Verdict::Yes;
 };
 
+/// What the tensors of a simplex with rational vertices are multiplied by: their denominators, each
+/// once.
+struct CommonDenominator {
+  std::vector<Exact> factors;
+  double product = 1;  // rounded; every factor is below 2
+
+  void include(const Exact& d) {
+    if (std::ranges::find(factors, d) != factors.end()) return;
+    factors.push_back(d);
+    product *= CGAL::to_double(d);
+  }
+  Exact without(const Exact& one) const {
+    Exact x(1);
+    for (const Exact& d : factors)
+      if (d != one) x = x * d;
+    return x;
+  }
+};
+
 /// The forms of a simplex with N vertices on every rung of the ladder: doubles at once, intervals,
 /// exact dyadics and the infinitesimal perturbation when a decision asks for them.
 template <int N>
@@ -60,9 +81,10 @@ class Simplex {
  public:
   Simplex(const RefinableField& field, const std::array<VertexId, N>& vertices)
       : field_(&field), vertices_(vertices) {
+    if (field.has_rational_vertices()) clear_denominators();
     std::array<Tensor<double>, N> a;
     for (int i = 0; i < N; ++i) {
-      const ApproximateTensor& v = field.approximate(vertices[i]);
+      const ApproximateTensor v = scaled_tensor(i);
       a[i] = v.a;
       entries_.include(v.bounds);
     }
@@ -74,12 +96,13 @@ class Simplex {
   template <int M>
   Simplex(const Simplex<M>& parent, const std::array<int, N>& local)
       : field_(&parent.field()),
+        scale_(parent.scale_),
         approximate_(restrict_to<N>(parent.approximate(), local)),
         local_(local) {
     if constexpr (M == 4) cell_exact_ = parent.exact_;
     for (int i = 0; i < N; ++i) {
       vertices_[i] = parent.vertices()[local[i]];
-      entries_.include(field_->approximate(vertices_[i]).bounds);
+      entries_.include(scaled_tensor(i).bounds);
     }
     set_bounds();
   }
@@ -132,12 +155,14 @@ class Simplex {
   }
 
   /// The exact tripled deviators, scaled like the doubles, so that one witness serves all rungs.
+  /// With rational vertices that is by the product of their denominators.
   std::array<Tensor<Exact>, N> exact_tensors() const {
     std::array<Tensor<Exact>, N> a;
     const int exponent = field_->scale_exponent();
     for (int i = 0; i < N; ++i) {
       a[i] = field_->exact(vertices_[i]);
-      for (Exact& x : a[i]) x = scale_by_power_of_two(x, exponent);
+      const Exact factor = scale_ ? scale_->without(field_->denominator(vertices_[i])) : Exact(1);
+      for (Exact& x : a[i]) x = scale_by_power_of_two(scale_ ? x * factor : x, exponent);
     }
     return a;
   }
@@ -145,6 +170,24 @@ class Simplex {
  private:
   template <int M>
   friend class Simplex;
+
+  void clear_denominators() {
+    CommonDenominator scale;
+    for (const VertexId v : vertices_)
+      if (field_->is_rational(v)) scale.include(field_->denominator(v));
+    if (!scale.factors.empty())
+      scale_ = std::make_shared<const CommonDenominator>(std::move(scale));
+  }
+  /// At most four denominators, each rounded by 2^-52, and four products.
+  ApproximateTensor scaled_tensor(int i) const {
+    ApproximateTensor v = field_->approximate(vertices_[i]);
+    if (!scale_) return v;
+    for (double& x : v.a) x *= scale_->product;
+    v.bounds.magnitude *= scale_->product * (1 + 0x1p-49);
+    v.bounds.error =
+        (v.bounds.error * scale_->product + 0x1p-49 * v.bounds.magnitude) * (1 + 0x1p-20);
+    return v;
+  }
 
   /// Errors follow from the entries; magnitudes are those of the coefficients at hand.
   void set_bounds() {
@@ -187,7 +230,7 @@ class Simplex {
     if (!interval_) {
       std::array<Tensor<Interval>, N> a;
       for (int i = 0; i < N; ++i) {
-        const ApproximateTensor& v = field_->approximate(vertices_[i]);
+        const ApproximateTensor v = scaled_tensor(i);
         const Interval error(-v.bounds.error, v.bounds.error);
         for (int k = 0; k < 9; ++k) a[i][k] = Interval(v.a[k]) + error;
       }
@@ -218,6 +261,7 @@ class Simplex {
 
   const RefinableField* field_;
   std::array<VertexId, N> vertices_{};
+  std::shared_ptr<const CommonDenominator> scale_;  // if a vertex, here or of the cell, is rational
   EntryBounds entries_;
   FormBounds bounds_;
   Forms<double, N> approximate_;

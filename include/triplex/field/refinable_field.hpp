@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -42,16 +44,21 @@ class RefinableField {
   std::vector<VertexId> vertices_of_input() const;
 
   const ApproximateTensor& approximate(VertexId v) const { return approximations_[index(v)]; }
-  /// The tripled deviator 3 T - tr(T) I, exactly, in the units of the input. \pre not enclosed.
+  /// The tripled deviator 3 T - tr(T) I times `denominator`, exactly, in the units of the input.
+  /// \pre not enclosed.
   Tensor<Exact> exact(VertexId v) const;
+  /// What the exact values of a vertex are multiplied by: at least 1, below 2; 1 unless the vertex
+  /// is rational.
+  Exact denominator(VertexId v) const;
   /// T itself, scaled like `approximate`; put together on each call unless `keep_tensors` was
   /// called, from when on it is kept for every vertex.
   ApproximateTensor approximate_tensor(VertexId v) const;
   void keep_tensors();
-  /// T itself, exactly, in the units of the input. \pre not enclosed.
+  /// T itself times `denominator`, exactly, in the units of the input. \pre not enclosed.
   Tensor<Exact> exact_tensor(VertexId v) const;
   /// The position, rounded once per coordinate combination (exact for vertices of the input).
   Point position(VertexId v) const;
+  /// Times `denominator`. \pre not enclosed.
   std::array<Exact, 3> exact_position(VertexId v) const;
   /// log2 of the factor that `approximate` was multiplied by.
   int scale_exponent() const { return scale_exponent_; }
@@ -60,10 +67,29 @@ class RefinableField {
   /// the input that holds it.
   std::vector<VertexId> corners(VertexId v) const;
 
-  /// The midpoint of two vertices of one tet, as a new vertex; nothing when 2^-kMaxDepth is
-  /// reached. If an end is enclosed, so is the midpoint; nothing if the edge is too short to be
-  /// told from the enclosures.
-  std::optional<VertexId> add_midpoint(VertexId a, VertexId b);
+  /// A point between two vertices of one tet, as a new vertex: (1 - at) a + at b, where `at` is a
+  /// dyadic inside (0, 1); nothing if a weight is no multiple of 2^-kMaxDepth. If an end is
+  /// enclosed, so is the new vertex; nothing if the edge is too short to be told from the
+  /// enclosures.
+  std::optional<VertexId> add_point_between(VertexId a, VertexId b, double at);
+  std::optional<VertexId> add_midpoint(VertexId a, VertexId b) {
+    return add_point_between(a, b, 0.5);
+  }
+
+  /// A point of a tet of the input whose weights are proportional to the given ones (positive or
+  /// zero, at least two of them positive), exactly: a vertex where no halving leads. The midpoints
+  /// of edges at it are of that kind too.
+  VertexId add_rational(const std::array<VertexId, 4>& tet, const std::array<Exact, 4>& weights);
+  bool is_rational(VertexId v) const {
+    return !rational_.empty() && index(v) >= rational_from_ && rational_.contains(v);
+  }
+  /// Whether T itself is known exactly: neither enclosed nor rational, whose tensor is known up to
+  /// a factor that is no power of two.
+  bool has_exact_tensor(VertexId v) const { return !is_enclosed(v) && !is_rational(v); }
+  bool has_rational_vertices() const { return !rational_.empty(); }
+  /// The weights of a vertex in the corners of a tet of the input that holds it, exactly, times
+  /// `denominator`. \pre not enclosed.
+  std::array<Exact, 4> exact_weights(VertexId v, const std::array<VertexId, 4>& tet) const;
 
   /// A node, a point of a tet of the input that is known by an enclosure only: its barycentric
   /// coordinates lie within `radius` of `centre`, which sums to one up to rounding. Its tensor is
@@ -83,8 +109,13 @@ class RefinableField {
   /// the two entries beside the diagonal in column (row) k are exactly zero, at all vertices of the
   /// input that this one is combined of.
   unsigned zero_couplings(VertexId v) const;
-  /// The weight of a vertex of the input in a vertex that is not enclosed, exactly.
+  /// Whether a simplex lies in a face of the input on which the tensors couple an axis to the plane
+  /// beside it in neither way: a plane of symmetry, at least there.
+  bool is_in_mirror_plane(std::span<const VertexId> simplex, int axis) const;
+  /// The weight of a vertex of the input in a vertex that is not enclosed: exactly, or of a
+  /// rational one up to kWeightError.
   double weight(VertexId v, VertexId corner) const;
+  static constexpr double kWeightError = 0x1p-50;
 
   /// Weights are multiples of 2^-kMaxDepth, exactly representable as doubles.
   static constexpr int kMaxDepth = 50;
@@ -95,6 +126,7 @@ class RefinableField {
     std::array<std::uint64_t, 4> numerators{};
     int depth = 0;
   };
+  void find_mirror_planes();
   bool is_input(VertexId v) const { return index(v) < input_of_.size(); }
   /// A point known by an enclosure; the weights are those of its centre.
   struct Enclosed {
@@ -103,8 +135,19 @@ class RefinableField {
     double radius = 0;
     bool is_node = false;
   };
+  /// A point with weights n_i / N, where N = n_0 + ... + n_3 is at least 1 and below 2.
+  struct Rational {
+    std::array<VertexId, 4> vertices{};
+    std::array<Exact, 4> numerators;
+    Exact denominator;
+    int depth = 0;  // halvings since `add_rational`
+    std::array<double, 4> weights_approx() const;
+  };
+  VertexId add(Rational r);
+  std::optional<VertexId> add_rational_between(VertexId a, VertexId b, double at);
+  ApproximateTensor combine_rational(const Rational& r, bool with_trace) const;
   VertexId add(const Enclosed& e);
-  std::optional<VertexId> add_enclosed_midpoint(VertexId a, VertexId b);
+  std::optional<VertexId> add_enclosed_between(VertexId a, VertexId b, double at);
   Combination combination(VertexId v) const;
   ApproximateTensor combine_enclosed(const Enclosed& e, bool with_trace) const;
   ApproximateTensor combine_tensor(VertexId v) const;
@@ -117,11 +160,15 @@ class RefinableField {
   std::vector<std::array<VertexId, 4>> input_tets_;
   std::vector<ApproximateTensor> approximations_;
   std::vector<ApproximateTensor> tensors_;  // with trace; empty unless kept
-  std::vector<Combination> midpoints_;      // unused where the vertex is enclosed
+  std::vector<Combination> midpoints_;      // unused where the vertex is enclosed or rational
   std::unordered_map<VertexId, Enclosed> enclosed_;
   std::size_t enclosed_from_ = 0;  // no vertex before is
+  std::unordered_map<VertexId, Rational> rational_;
+  std::size_t rational_from_ = 0;  // no vertex before is
   std::unordered_set<VertexId> nodes_;
   int scale_exponent_ = 0;
+  /// Per axis: edges of the faces of the input that lie in its mirror planes, ascending and sorted.
+  std::array<std::vector<std::array<VertexId, 2>>, 3> mirror_edges_;
 };
 
 }  // namespace triplex

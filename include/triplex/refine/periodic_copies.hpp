@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <unordered_map>
@@ -24,8 +25,18 @@ class PeriodicCopies {
 
   bool empty() const { return to_low_[0].empty() && to_low_[1].empty() && to_low_[2].empty(); }
 
-  /// All copies of an edge, itself among them.
-  std::vector<std::array<VertexId, 2>> copies(const std::array<VertexId, 2>& edge) const;
+  /// All copies of a simplex, itself first.
+  template <std::size_t N>
+  std::vector<std::array<VertexId, N>> copies(const std::array<VertexId, N>& simplex) const {
+    std::vector<std::array<VertexId, N>> found = {simplex};
+    for (std::size_t n = 0; n < found.size(); ++n)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const Map* map : {&to_low_[axis], &to_high_[axis]}) {
+          auto copy = found[n];
+          if (move(*map, copy) && !std::ranges::count(found, copy)) found.push_back(copy);
+        }
+    return found;
+  }
   /// The midpoints of an edge and of its copy along an axis: high side, low side.
   void add_midpoint(std::size_t axis, VertexId high, VertexId low) {
     to_low_[axis][high] = low;
