@@ -155,7 +155,7 @@ TEST(BlockPlane, BesideIsRealWhereClaimed) {
 /// face given: the most of some.
 int most_changes_from(const RefinableField& field, const std::array<VertexId, 4>& v, unsigned face,
                       Sign on_face, std::mt19937_64& random) {
-  constexpr int kSegments = 40, kSteps = 48;
+  constexpr int kSegments = 20, kSteps = 24;
   int most = 0;
   for (int n = 0; n < kSegments; ++n) {
     std::array<int, 4> ends;
@@ -211,7 +211,7 @@ TEST(BlockPlane, PencilsFromThePlaneMeetTheSurfaceOnce) {
   std::mt19937_64 random(47);
   SignStages stages;
   int certified = 0, touching = 0, crossed = 0, refused = 0;
-  for (int n = 0; n < 4000; ++n) {
+  for (int n = 0; n < 1500; ++n) {
     const double spread = std::exp2(-(n / 3 % 6));
     const TensorField input = random_tet(random, static_cast<Kind>(n % 3), spread);
     const RefinableField field(input);
@@ -230,10 +230,10 @@ TEST(BlockPlane, PencilsFromThePlaneMeetTheSurfaceOnce) {
     crossed += only_so && sign_of_d(field, v, {0, 0, 0, 1}) == Sign::Negative;
     EXPECT_LE(changes_of_best_face(field, v, random), 1) << n;
   }
-  EXPECT_GT(certified, 500);
-  EXPECT_GT(touching, 100);
-  EXPECT_GT(crossed, 50);
-  EXPECT_GT(refused, 500);
+  EXPECT_GT(certified, 300);
+  EXPECT_GT(touching, 40);
+  EXPECT_GT(crossed, 20);
+  EXPECT_GT(refused, 300);
 }
 
 /// A free-slip wall z = 0 and, above it, D = (x^2 - 4 c z) times a square: for c > 0 the surface
