@@ -10,6 +10,7 @@
 
 #include "block.hpp"
 #include "error_bounds.hpp"
+#include "falling_quotient.hpp"
 #include "sign_changes.hpp"
 #include "triplex/bernstein/discriminant.hpp"
 
@@ -234,7 +235,8 @@ std::vector<SignedFace> signed_faces(const Simplex<N>& simplex, SignStages& stag
   return found;
 }
 
-/// At most one change in the layers from one of the faces to the rest, the first of them known.
+/// From one of the faces to the rest at most one change in the layers, the first of them known, or
+/// a quotient that falls to minus infinity (rises, where the sign is negative).
 template <int N>
 struct OneRootFromFace {
   const std::vector<SignedFace>& faces;
@@ -243,12 +245,18 @@ struct OneRootFromFace {
   Verdict operator()(const Forms<NT, N>& f, const FormBounds& bounds) const {
     // D touches zero for T itself only.
     if constexpr (std::is_same_v<NT, Perturbed<N>>) return Verdict::No;
-    const auto signs = signs_of_minus_discriminant(f, bounds);
+    const auto minus_d = minus_discriminant(f);
+    const double error = discriminant_coefficient_error(bounds);
+    const auto signs = signs_of<NT, N>(minus_d, error);
     Verdict best = Verdict::No;
     for (const SignedFace& face : faces) {
-      auto layers = layers_towards<N, 6>(((1u << N) - 1) & ~face.vertices, signs);
+      const unsigned rest = ((1u << N) - 1) & ~face.vertices;
+      auto layers = layers_towards<N, 6>(rest, signs);
       layers[0] = face.sign.negated();  // the coefficients are those of -D
       best = std::max(best, at_most_one_change(layers));
+      if (best == Verdict::Yes) break;
+      best = std::max(best, slope_of_quotient<NT, N>(minus_d, error, rest).is(face.sign.sign()));
+      if (best == Verdict::Yes) break;
     }
     return best;
   }

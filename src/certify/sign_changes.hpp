@@ -62,6 +62,11 @@ class LayerSign {
   /// Coefficients of both signs: no higher rung makes this layer one of known sign.
   bool is_mixed() const { return positive_ && negative_; }
   bool has_unknown() const { return unknown_; }
+  /// Whether the sign is this one; unknown as long as a higher rung may say so.
+  Verdict is(Certainty c) const {
+    if (c == Certainty::Positive ? negative_ : positive_) return Verdict::No;
+    return unknown_ ? Verdict::Unknown : Verdict::Yes;
+  }
   LayerSign negated() const {
     LayerSign r = *this;
     std::swap(r.positive_, r.negative_);
@@ -87,16 +92,18 @@ Verdict at_most_one_change(const std::array<LayerSign, Count>& layers) {
 template <int N, int Degree>
 using CoefficientSigns = std::array<Certainty, Monomials<N, Degree>::count()>;
 
-/// The coefficients of -D(A'), up to a positive factor each.
+/// The signs of the coefficients of -D(A'), given as monomial coefficients.
 template <class NT, int N>
-CoefficientSigns<N, 6> signs_of_minus_discriminant(const Forms<NT, N>& f,
-                                                   const FormBounds& bounds) {
-  const auto minus_d = minus_discriminant(f);
-  const double error = discriminant_coefficient_error(bounds);
+CoefficientSigns<N, 6> signs_of(const SexticCoefficients<NT, N>& minus_d, double error) {
   CoefficientSigns<N, 6> signs;
   for (std::size_t n = 0; n < signs.size(); ++n)
     signs[n] = certainty(minus_d[n], kMonomials<N, 6>.multinomial[n] * error);
   return signs;
+}
+template <class NT, int N>
+CoefficientSigns<N, 6> signs_of_minus_discriminant(const Forms<NT, N>& f,
+                                                   const FormBounds& bounds) {
+  return signs_of<NT, N>(minus_discriminant(f), discriminant_coefficient_error(bounds));
 }
 
 /// The layers of a form by the power of the vertices of one side, of which bit i says that vertex i
