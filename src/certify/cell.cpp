@@ -129,7 +129,8 @@ class SignedSimplex {
       if (simplex_.block_axis() >= 0) return certifies_block(simplex_, stages_);
     if (at_node && certifies_only_node(simplex_, stages_)) return true;
     if (certifies_real_off_block(simplex_, stages_)) return true;
-    if constexpr (N > 2) return at_node && has_nappes();
+    if constexpr (N > 2)
+      return at_node ? has_nappes() : certifies_pencil_from_block(simplex_, stages_);
     return false;
   }
   /// Found once: it serves both degenerate pages, and asks no rung beyond the intervals.

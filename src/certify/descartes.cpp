@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triplex/certify/descartes.hpp"
 
-#include "error_bounds.hpp"
 #include "sign_changes.hpp"
-#include "triplex/bernstein/discriminant.hpp"
 #include "triplex/certify/mode_page.hpp"
 
 namespace triplex {
@@ -23,12 +21,8 @@ struct OneRoot {
       case Sheet::Kind::Neutral:
         for (const NT& q : f.q) changes.add(certainty(q, bounds.q_error));
         break;
-      case Sheet::Kind::Curved: {
-        const auto d = minus_discriminant(f);
-        const double error = discriminant_coefficient_error(bounds);
-        for (std::size_t n = 0; n < d.size(); ++n)
-          changes.add(certainty(d[n], kMonomials<2, 6>.multinomial[n] * error));
-      }
+      case Sheet::Kind::Curved:  // monomials come in the order of the exponents
+        for (const Certainty c : signs_of_minus_discriminant(f, bounds)) changes.add(c);
     }
     return changes.at_most_one();
   }

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triplex/certify/pencil.hpp"
 
-#include "error_bounds.hpp"
 #include "sign_changes.hpp"
-#include "triplex/bernstein/discriminant.hpp"
 #include "triplex/certify/mode_page.hpp"
 
 namespace triplex {
@@ -13,13 +11,7 @@ namespace {
 struct OneRootPerSegment {
   template <class NT, int N>
   Verdict operator()(const Forms<NT, N>& f, const FormBounds& bounds) const {
-    constexpr int kDegree = 6;
-    const auto minus_d = minus_discriminant(f);
-    const double error = discriminant_coefficient_error(bounds);
-    std::array<Certainty, Monomials<N, kDegree>::count()> signs;
-    for (std::size_t n = 0; n < signs.size(); ++n)
-      signs[n] = certainty(minus_d[n], kMonomials<N, kDegree>.multinomial[n] * error);
-    return one_change_in_some_split<N, kDegree>(signs);
+    return one_change_in_some_split<N, 6>(signs_of_minus_discriminant(f, bounds));
   }
 };
 

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <utility>
 
+#include "error_bounds.hpp"
 #include "triplex/bernstein/discriminant.hpp"
 #include "triplex/certify/simplex.hpp"
 
@@ -48,39 +51,84 @@ class SignChanges {
 class LayerSign {
  public:
   void add(Certainty c) {
-    if (first_)
-      sign_ = c;
-    else if (sign_ != c)
-      sign_ = Certainty::Unknown;
-    first_ = false;
+    positive_ |= c == Certainty::Positive;
+    negative_ |= c == Certainty::Negative;
+    unknown_ |= c == Certainty::Unknown;
   }
-  Certainty sign() const { return sign_; }
+  Certainty sign() const {
+    if (unknown_ || positive_ == negative_) return Certainty::Unknown;
+    return positive_ ? Certainty::Positive : Certainty::Negative;
+  }
+  /// Coefficients of both signs: no higher rung makes this layer one of known sign.
+  bool is_mixed() const { return positive_ && negative_; }
+  bool has_unknown() const { return unknown_; }
+  /// Whether the sign is this one; unknown as long as a higher rung may say so.
+  Verdict is(Certainty c) const {
+    if (c == Certainty::Positive ? negative_ : positive_) return Verdict::No;
+    return unknown_ ? Verdict::Unknown : Verdict::Yes;
+  }
+  LayerSign negated() const {
+    LayerSign r = *this;
+    std::swap(r.positive_, r.negative_);
+    return r;
+  }
 
  private:
-  Certainty sign_ = Certainty::Unknown;
-  bool first_ = true;
+  bool positive_ = false, negative_ = false, unknown_ = false;
 };
 
-/// From the signs of the Bernstein coefficients of a form: whether some split of the vertices into
-/// two sides leaves at most one change in the sequence of layers, and with it at most one root on
-/// every segment between the two. Source: proofs/pencil.md.
+/// Whether a sequence of layers has at most one change of sign. No, if no higher rung can say yes.
+template <std::size_t Count>
+Verdict at_most_one_change(const std::array<LayerSign, Count>& layers) {
+  SignChanges changes;
+  for (const LayerSign& layer : layers) changes.add(layer.sign());
+  if (changes.most() <= 1) return Verdict::Yes;
+  const bool open = std::ranges::any_of(layers, &LayerSign::has_unknown) &&
+                    std::ranges::count_if(layers, &LayerSign::is_mixed) <= 1;
+  return open ? changes.at_most_one() : Verdict::No;
+}
+
+/// The signs of the Bernstein coefficients of a form.
 template <int N, int Degree>
-Verdict one_change_in_some_split(
-    const std::array<Certainty, Monomials<N, Degree>::count()>& signs) {
-  for (unsigned side = 1; side < 1u << (N - 1); ++side) {  // the other side is the rest
-    std::array<LayerSign, Degree + 1> layers;
-    for (std::size_t n = 0; n < signs.size(); ++n) {
-      int k = 0;
-      for (int i = 0; i < N; ++i)
-        if (side >> i & 1u) k += kMonomials<N, Degree>.exponents[n][i];
-      layers[k].add(signs[n]);
-    }
-    SignChanges changes;
-    for (const LayerSign& layer : layers) changes.add(layer.sign());
-    if (changes.most() <= 1) return Verdict::Yes;
+using CoefficientSigns = std::array<Certainty, Monomials<N, Degree>::count()>;
+
+/// The signs of the coefficients of -D(A'), given as monomial coefficients.
+template <class NT, int N>
+CoefficientSigns<N, 6> signs_of(const SexticCoefficients<NT, N>& minus_d, double error) {
+  CoefficientSigns<N, 6> signs;
+  for (std::size_t n = 0; n < signs.size(); ++n)
+    signs[n] = certainty(minus_d[n], kMonomials<N, 6>.multinomial[n] * error);
+  return signs;
+}
+template <class NT, int N>
+CoefficientSigns<N, 6> signs_of_minus_discriminant(const Forms<NT, N>& f,
+                                                   const FormBounds& bounds) {
+  return signs_of<NT, N>(minus_discriminant(f), discriminant_coefficient_error(bounds));
+}
+
+/// The layers of a form by the power of the vertices of one side, of which bit i says that vertex i
+/// is one.
+template <int N, int Degree>
+std::array<LayerSign, Degree + 1> layers_towards(unsigned side,
+                                                 const CoefficientSigns<N, Degree>& signs) {
+  std::array<LayerSign, Degree + 1> layers;
+  for (std::size_t n = 0; n < signs.size(); ++n) {
+    int k = 0;
+    for (int i = 0; i < N; ++i)
+      if (side >> i & 1u) k += kMonomials<N, Degree>.exponents[n][i];
+    layers[k].add(signs[n]);
   }
-  return std::ranges::find(signs, Certainty::Unknown) == signs.end() ? Verdict::No
-                                                                     : Verdict::Unknown;
+  return layers;
+}
+
+/// Whether some split of the vertices into two sides leaves at most one change in the sequence of
+/// layers, and with it at most one root on every segment between the two. Source: proofs/pencil.md.
+template <int N, int Degree>
+Verdict one_change_in_some_split(const CoefficientSigns<N, Degree>& signs) {
+  Verdict best = Verdict::No;
+  for (unsigned side = 1; side < 1u << (N - 1) && best != Verdict::Yes; ++side)
+    best = std::max(best, at_most_one_change(layers_towards<N, Degree>(side, signs)));
+  return best;
 }
 
 }  // namespace triplex

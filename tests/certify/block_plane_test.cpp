@@ -7,9 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <random>
 
 #include "triplex/certify/node.hpp"
+#include "triplex/certify/pencil.hpp"
 
 namespace triplex {
 namespace {
@@ -147,6 +149,139 @@ TEST(BlockPlane, BesideIsRealWhereClaimed) {
   }
   EXPECT_GT(certified, 100);
   EXPECT_GT(refused, 100);
+}
+
+/// Changes of the exact sign of D along segments from a face to the opposite one, the sign on the
+/// face given: the most of some.
+int most_changes_from(const RefinableField& field, const std::array<VertexId, 4>& v, unsigned face,
+                      Sign on_face, std::mt19937_64& random) {
+  constexpr int kSegments = 20, kSteps = 24;
+  int most = 0;
+  for (int n = 0; n < kSegments; ++n) {
+    std::array<int, 4> ends;
+    std::array<int, 2> sum{};
+    for (std::size_t i = 0; i < 4; ++i)
+      sum[face >> i & 1u] += ends[i] = 1 + static_cast<int>(random() % 9);
+    int changes = 0;
+    Sign last = on_face;
+    for (int k = 1; k <= kSteps; ++k) {
+      std::array<int, 4> w;
+      for (std::size_t i = 0; i < 4; ++i)
+        w[i] = ends[i] * (face >> i & 1u ? (kSteps - k) * sum[0] : k * sum[1]);
+      const Sign s = sign_of_d(field, v, w);
+      changes += s != Sign::Zero && s != last;
+      if (s != Sign::Zero) last = s;
+    }
+    most = std::max(most, changes);
+  }
+  return most;
+}
+
+/// The sign of disc(M) at the sum of the tensors of some vertices in the plane.
+Sign sign_of_block(const RefinableField& field, const std::array<VertexId, 4>& v, unsigned face) {
+  Tensor<Exact> a;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; (face >> i & 1u) && k < 9; ++k) a[k] = a[k] + field.exact(v[i])[k];
+  return sign((a[0] - a[4]) * (a[0] - a[4]) + Exact(4) * a[1] * a[3]);
+}
+
+/// The fewest changes over the faces in the plane of the first three vertices.
+int changes_of_best_face(const RefinableField& field, const std::array<VertexId, 4>& v,
+                         std::mt19937_64& random) {
+  int best = 100;
+  for (unsigned face = 3; face < 8; ++face)
+    if (std::popcount(face) > 1)
+      best =
+          std::min(best, most_changes_from(field, v, face, sign_of_block(field, v, face), random));
+  return best;
+}
+
+/// Whether the eigenvalue of the axis passes one of the block between the vertices in the plane.
+bool touches(const RefinableField& field, const std::array<VertexId, 4>& v) {
+  int signs = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Tensor<Exact> a = field.exact(v[i]);
+    const Sign s = sign((a[0] - a[8]) * (a[4] - a[8]) - a[1] * a[3]);
+    signs |= s == Sign::Positive ? 1 : 2;
+  }
+  return signs == 3;
+}
+
+TEST(BlockPlane, PencilsFromThePlaneMeetTheSurfaceOnce) {
+  std::mt19937_64 random(47);
+  SignStages stages;
+  int certified = 0, touching = 0, crossed = 0, refused = 0;
+  for (int n = 0; n < 1500; ++n) {
+    const double spread = std::exp2(-(n / 3 % 6));
+    const TensorField input = random_tet(random, static_cast<Kind>(n % 3), spread);
+    const RefinableField field(input);
+    const auto v = in_order(field);
+    auto sorted = v;
+    std::ranges::sort(sorted);
+    const Simplex<4> cell(field, sorted);
+    if (!certifies_pencil_from_block(cell, stages)) {
+      ++refused;
+      continue;
+    }
+    ++certified;
+    const bool only_so = touches(field, v) && !certifies_pencil(cell, ModeMap{}, stages) &&
+                         !certifies_real_off_block(cell, stages);
+    touching += only_so;
+    crossed += only_so && sign_of_d(field, v, {0, 0, 0, 1}) == Sign::Negative;
+    EXPECT_LE(changes_of_best_face(field, v, random), 1) << n;
+  }
+  EXPECT_GT(certified, 300);
+  EXPECT_GT(touching, 40);
+  EXPECT_GT(crossed, 20);
+  EXPECT_GT(refused, 300);
+}
+
+/// A free-slip wall z = 0 and, above it, D = (x^2 - 4 c z) times a square, with the coupling
+/// c = coupling + slope y: where c > 0 the surface touches the wall along x = 0 from inside.
+struct Wall {
+  double size = 0.125, coupling = 1, slope = 0, offset = 0.25;
+};
+TensorField field_of(const Wall& wall) {
+  TensorField input;
+  input.mesh.points = {{-1, -1, 0}, {1, -1, 0}, {wall.offset, 1, 0}, {0, 0, 1}};
+  input.mesh.tets = {{VertexId(0), VertexId(1), VertexId(2), VertexId(3)}};
+  for (const Point& at : input.mesh.points) {
+    const double x = wall.size * at[0], z = wall.size * at[2];
+    input.tensors.push_back({x, 0, -z, 0, 5, 0, wall.coupling + wall.slope * at[1], 0.25, 0});
+  }
+  return input;
+}
+bool certified_on(const Wall& wall) {
+  const TensorField input = field_of(wall);
+  const RefinableField field(input);
+  const auto v = in_order(field);
+  auto sorted = v;
+  std::ranges::sort(sorted);
+  SignStages stages;
+  EXPECT_FALSE(certifies_real_off_block(Simplex<4>(field, sorted), stages));
+  const bool claimed = certifies_pencil_from_block(Simplex<4>(field, sorted), stages);
+  if (claimed) {
+    std::mt19937_64 random(5);
+    EXPECT_LE(changes_of_best_face(field, v, random), 1);
+  }
+  return claimed;
+}
+
+TEST(BlockPlane, ASheetMayTouchTheWall) {
+  EXPECT_TRUE(certified_on({}));
+  EXPECT_TRUE(certified_on({.slope = 0.5}));
+  EXPECT_FALSE(certified_on({.size = 32})) << "far beyond the scale of the coupling";
+}
+
+/// Where the coupling changes sign on the curve of touching there is a node: layers have no sign
+/// there, but the quotient falls.
+TEST(BlockPlane, ANodeOnTheWallMayBeAPointOfTheSheet) {
+  EXPECT_TRUE(certified_on({.slope = 2})) << "all else is on one side";
+  EXPECT_FALSE(certified_on({.coupling = -0.25, .slope = 2})) << "the apex is on the real side";
+}
+
+TEST(BlockPlane, AVertexOnTheCurveOfTouchingHasNoLabelOfTheField) {
+  EXPECT_FALSE(certified_on({.offset = 0}));
 }
 
 }  // namespace

@@ -26,4 +26,11 @@ bool certifies_block(const Simplex<N>& simplex, SignStages& stages);
 template <int N>
 bool certifies_real_off_block(const Simplex<N>& simplex, SignStages& stages);
 
+/// On a simplex with a face in such a plane, on which disc(M) has one sign: D vanishes at most once
+/// on every segment from the face to the opposite one, but for what only touches in the plane. So
+/// the degenerate page is the graph over the face that the signs at the vertices tell of, also
+/// where it touches the plane along a curve; see certify/pencil.hpp. N = 3, 4 vertices.
+template <int N>
+bool certifies_pencil_from_block(const Simplex<N>& simplex, SignStages& stages);
+
 }  // namespace triplex

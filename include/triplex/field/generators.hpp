@@ -22,6 +22,8 @@ Tensor<double> lorenz_gradient(const Point& x, const LorenzParameters& parameter
 TensorField generate_lorenz(const GridOptions& options, const LorenzParameters& parameters = {});
 
 /// The Arnold-Beltrami-Childress flow (A sin z + C cos y, B sin x + A cos z, C sin y + B cos x).
+/// Sines and cosines are exactly 0, 1 or -1 at multiples of the double nearest to pi, halved, so
+/// that the flow's planes of symmetry through vertices are exact.
 struct AbcParameters {
   double a = 1;
   double b = 0.816496580927726;   ///< sqrt(2/3)
@@ -41,7 +43,9 @@ TensorField generate_abc(const GridOptions& options, const AbcParameters& parame
 /// pi^2, plus `modulation` times the rectangular cell cos(pi x) cos(pi y), a^2 = 2 pi^2, so that
 /// the cells are three-dimensional. To this is added `swirl` times a horizontal flow of stream
 /// function sin(pi x) sin(pi y) cos(pi z) / pi, the vertical vorticity that secondary instabilities
-/// bring. No fluid crosses the walls, and the divergence is zero.
+/// bring. No fluid crosses the walls, and the divergence is zero. The walls and all planes at whole
+/// numbers are exact planes of symmetry: there the entries that couple the normal direction to the
+/// plane are zero, not zero up to rounding.
 struct RayleighBenardParameters {
   double modulation = 0.5;
   double swirl = 0.125;
