@@ -64,7 +64,8 @@ void NodeStars::search(std::vector<TetId> tets, SignStages& stages) {
         radius = std::fmax(radius, std::fmax(x[i].hi - centre[i], centre[i] - x[i].lo));
       }
       // Roundings here, 2^-53 at most, are covered by what `add_node` adds to the radius.
-      const VertexId v = complex_.field.add_node(vertices[n], centre, radius);
+      const VertexId v = complex_.field.add_node(
+          vertices[n], centre, radius, enclosed_weights(complex_.field, vertices[n], node));
       complex_.sectors.push_back(static_cast<std::uint8_t>(real_side(table_, node.feature)));
       if (!complex_.sides.empty())
         complex_.sides.push_back(sides_at(complex_.field, v, table_, table_.level_sets(), stages));
