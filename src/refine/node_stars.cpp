@@ -19,13 +19,32 @@ namespace {
 /// A quality limit only: tets near curves of nodes would take any number of cells.
 constexpr int kSearchCells = 1000;
 
-using Coordinates = std::array<std::array<Interval, 4>, 4>;
+template <class NT>
+using Coordinates = std::array<std::array<NT, 4>, 4>;
 
-Sign sign_of_determinant(const Coordinates& m) {
-  const Interval d =
+template <class NT>
+Certainty sign_of_determinant(const Coordinates<NT>& m) {
+  const NT d =
       CGAL::determinant(m[0][0], m[0][1], m[0][2], m[0][3], m[1][0], m[1][1], m[1][2], m[1][3],
                         m[2][0], m[2][1], m[2][2], m[2][3], m[3][0], m[3][1], m[3][2], m[3][3]);
-  return d.inf() > 0 ? Sign::Positive : d.sup() < 0 ? Sign::Negative : Sign::Zero;
+  return certainty(d, 0);
+}
+
+/// Whether a point lies strictly inside a tet, all by barycentric coordinates in a tet of the
+/// input: its own in the tet are quotients of determinants (Cramer's rule).
+template <class NT>
+Verdict is_inside(const Coordinates<NT>& tet, const std::array<NT, 4>& point) {
+  const Certainty whole = sign_of_determinant(tet);
+  if (whole == Certainty::Unknown) return Verdict::Unknown;
+  Verdict verdict = Verdict::Yes;
+  for (std::size_t i = 0; i < 4; ++i) {
+    Coordinates<NT> replaced = tet;
+    replaced[i] = point;
+    const Certainty part = sign_of_determinant(replaced);
+    if (part == Certainty::Unknown) verdict = Verdict::Unknown;
+    if (part != whole && part != Certainty::Unknown) return Verdict::No;
+  }
+  return verdict;
 }
 
 }  // namespace
@@ -64,33 +83,34 @@ void NodeStars::search(std::vector<TetId> tets, SignStages& stages) {
         radius = std::fmax(radius, std::fmax(x[i].hi - centre[i], centre[i] - x[i].lo));
       }
       // Roundings here, 2^-53 at most, are covered by what `add_node` adds to the radius.
-      const VertexId v = complex_.field.add_node(
-          vertices[n], centre, radius, enclosed_weights(complex_.field, vertices[n], node));
+      const auto weights = enclosed_weights(complex_.field, vertices[n], node);
+      const VertexId v = complex_.field.add_node(vertices[n], centre, radius, weights);
       complex_.sectors.push_back(static_cast<std::uint8_t>(real_side(table_, node.feature)));
       if (!complex_.sides.empty())
         complex_.sides.push_back(sides_at(complex_.field, v, table_, table_.level_sets(), stages));
       complex_.nodes.push_back({v, tets[n], node.feature});
-      waiting.push_back({v, vertices[n], x});
+      waiting.push_back({v, vertices[n], x, weights});
     }
   }
 }
 
-/// Its barycentric coordinates in the leaf are quotients of determinants (Cramer's rule).
+/// In intervals, then exactly but for the width of the enclosure.
 bool NodeStars::holds(const Leaf& leaf, const Waiting& node) const {
-  const IntervalRounding protect;
-  Coordinates m;
-  for (std::size_t i = 0; i < 4; ++i)
+  const auto in = [&]<class NT>(const std::array<NT, 4>& point) {
+    Coordinates<NT> tet;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j)
+        tet[i][j] = NT(complex_.field.weight(leaf.vertices[i], node.tet[j]));
+    return is_inside(tet, point);
+  };
+  const Verdict verdict = [&] {
+    const IntervalRounding protect;
+    std::array<Interval, 4> point;
     for (std::size_t j = 0; j < 4; ++j)
-      m[i][j] = Interval(complex_.field.weight(leaf.vertices[i], node.tet[j]));
-  const Sign whole = sign_of_determinant(m);
-  if (whole == Sign::Zero) return false;
-  for (std::size_t i = 0; i < 4; ++i) {
-    Coordinates replaced = m;
-    for (std::size_t j = 0; j < 4; ++j)
-      replaced[i][j] = Interval(node.coordinates[j].lo, node.coordinates[j].hi);
-    if (sign_of_determinant(replaced) != whole) return false;
-  }
-  return true;
+      point[j] = Interval(node.coordinates[j].lo, node.coordinates[j].hi);
+    return in(point);
+  }();
+  return (verdict == Verdict::Unknown ? in(node.weights) : verdict) == Verdict::Yes;
 }
 
 std::optional<VertexId> NodeStars::ready_in(const Leaf& leaf, SignStages& stages) const {
