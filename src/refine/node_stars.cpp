@@ -127,7 +127,7 @@ std::optional<VertexId> NodeStars::ready_in(const Leaf& leaf, SignStages& stages
     held = &node;
   }
   if (held == nullptr || !only_its_page_near(leaf, held->vertex, stages) ||
-      !is_ready_for_star(Simplex<4>(complex_.field, leaf.vertices), stages))
+      !is_ready_for_star(Simplex<4>(complex_.field, leaf.vertices), held->vertex, stages))
     return {};
   return held->vertex;
 }
