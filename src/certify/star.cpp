@@ -52,10 +52,13 @@ bool certifies_only_node(const Simplex<N>& simplex, SignStages& stages) {
          simplex.decide(OneSignBeyondNode{node, Sign::Negative}, stages);
 }
 
-bool is_ready_for_star(const Simplex<4>& cell, VertexId node, SignStages& stages) {
+bool is_ready_for_star(const Simplex<4>& cell, SignStages& stages) {
   if (uniform_sign_of_p(cell, stages) != Sign::Negative) return false;
   if (uniform_sign_of_q(cell, stages) == Sign::Zero) return false;
-  if (!certifies_nappes(cell, stages)) return false;
+  return certifies_nappes(cell, stages);
+}
+
+bool has_certified_spokes(const Simplex<4>& cell, VertexId node, SignStages& stages) {
   const RefinableField& field = cell.field();
   const auto& v = cell.vertices();
   for (const VertexId a : v)

@@ -19,6 +19,10 @@ namespace {
 /// A quality limit only: tets near curves of nodes would take any number of cells.
 constexpr int kSearchCells = 1000;
 
+/// Up to this depth a leaf waits until the spokes are certified too. A quality limit only: without
+/// waiting, edges at some nodes are halved without end; while waiting, others are.
+constexpr int kPatience = 27;
+
 template <class NT>
 using Coordinates = std::array<std::array<NT, 4>, 4>;
 
@@ -126,9 +130,10 @@ std::optional<VertexId> NodeStars::ready_in(const Leaf& leaf, SignStages& stages
     if (held != nullptr) return {};  // the second would stay in a tet around the first
     held = &node;
   }
-  if (held == nullptr || !only_its_page_near(leaf, held->vertex, stages) ||
-      !is_ready_for_star(Simplex<4>(complex_.field, leaf.vertices), held->vertex, stages))
-    return {};
+  if (held == nullptr || !only_its_page_near(leaf, held->vertex, stages)) return {};
+  const Simplex<4> cell(complex_.field, leaf.vertices);
+  if (!is_ready_for_star(cell, stages)) return {};
+  if (leaf.depth < kPatience && !has_certified_spokes(cell, held->vertex, stages)) return {};
   return held->vertex;
 }
 

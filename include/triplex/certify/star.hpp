@@ -17,9 +17,12 @@ template <int N>
 bool certifies_only_node(const Simplex<N>& simplex, SignStages& stages);
 
 /// Whether a tet with a node inside may be replaced by the four tets that join the node to its
-/// faces: p < 0, q has one sign, the nappes are graphs on all of it, and the new edges and faces
-/// have their certificates. What the four lack then can be mended by halving edges; each is
-/// certified anew. \pre the node lies inside the tet.
-bool is_ready_for_star(const Simplex<4>& cell, VertexId node, SignStages& stages);
+/// faces: p < 0, q has one sign, and the nappes are graphs on all of it. What the four lack then
+/// can be mended by halving edges; each is certified anew. \pre the node lies inside the tet.
+bool is_ready_for_star(const Simplex<4>& cell, SignStages& stages);
+
+/// Whether the edges and faces between the node and the tet's edges would be certified at once. A
+/// matter of cost: halving them makes new ones, and around narrow cones ever more.
+bool has_certified_spokes(const Simplex<4>& cell, VertexId node, SignStages& stages);
 
 }  // namespace triplex
