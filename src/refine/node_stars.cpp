@@ -137,8 +137,8 @@ std::optional<VertexId> NodeStars::ready_in(const Leaf& leaf, SignStages& stages
   return held->vertex;
 }
 
-/// Tests with a node as vertex end with the intervals, so nothing may come near that might need
-/// more: no mode surface, and no level set on a side of which the node is not known to be.
+/// Tests with an enclosed vertex never ask the perturbed field, so nothing may come near that might
+/// need it: no mode surface, and no level set on a side of which the node is not known to be.
 bool NodeStars::only_its_page_near(const Leaf& leaf, VertexId node, SignStages& stages) const {
   if (!complex_.sides.empty() && complex_.sides[index(node)].open != 0) return false;
   const Simplex<4> cell(complex_.field, leaf.vertices);
