@@ -41,6 +41,10 @@ mpz_class fixed_point(const Exact& x) {
 }  // namespace
 
 ExactRange operator*(const ExactRange& a, const ExactRange& b) {
+  if (sign(a.lo) == Sign::Positive && sign(b.lo) == Sign::Positive)
+    return {a.lo * b.lo, a.hi * b.hi};
+  if (sign(a.hi) == Sign::Negative) return -((-a) * b);
+  if (sign(b.hi) == Sign::Negative) return -(a * (-b));
   const std::array<Exact, 4> p = {a.lo * b.lo, a.lo * b.hi, a.hi * b.lo, a.hi * b.hi};
   return {least(least(p[0], p[1]), least(p[2], p[3])), most(most(p[0], p[1]), most(p[2], p[3]))};
 }

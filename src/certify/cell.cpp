@@ -370,28 +370,6 @@ class CellCheck {
 
 }  // namespace
 
-std::string_view describe(Obstacle obstacle) {
-  switch (obstacle) {
-    case Obstacle::None:
-      return "none";
-    case Obstacle::Vertex:
-      return "a sign at a vertex stays zero under the perturbation";
-    case Obstacle::Cell:
-      return "no direction certifies the sheet in the tet";
-    case Obstacle::Face:
-      return "no direction certifies the sheet on a face";
-    case Obstacle::Edge:
-      return "the sheet may cross an edge more than once";
-    case Obstacle::SpineFace:
-      return "(p, q) not proven injective on a face";
-    case Obstacle::SpineCell:
-      return "triple degenerate curve not proven to be one arc";
-    case Obstacle::LevelSet:
-      return "the tensors at the outer vertices not separated from the level set";
-  }
-  return "";
-}
-
 CellCertificate certify_cell(const RefinableField& field, const std::array<VertexId, 4>& vertices,
                              SectorTable sectors, const FeatureTable& table, FeatureSet requested,
                              SignStages& stages) {
@@ -399,7 +377,7 @@ CellCertificate certify_cell(const RefinableField& field, const std::array<Verte
     if (sectors[index(v)] != kOpenSector) continue;
     CellCertificate open;
     open.open = requested;
-    open.obstacle = Obstacle::Vertex;
+    open.obstacle = obstacle_at(field, v);
     return open;
   }
   return CellCheck(field, vertices, sectors, table, requested, stages).run();

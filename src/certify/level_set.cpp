@@ -240,10 +240,11 @@ void certify_level_sets(const RefinableField& field, const std::array<VertexId, 
                         FeatureSet requested, CellCertificate& certificate, SignStages& stages) {
   for (const FeatureRow& row : table.rows()) {
     if (row.kind != FeatureKind::LevelSet || !contains(requested, row.feature)) continue;
-    if (std::ranges::any_of(
-            vertices, [&](VertexId v) { return contains(sides[index(v)].open, row.feature); })) {
+    const auto open = std::ranges::find_if(
+        vertices, [&](VertexId v) { return contains(sides[index(v)].open, row.feature); });
+    if (open != vertices.end()) {
       certificate.open |= bit(row.feature);
-      if (certificate.obstacle == Obstacle::None) certificate.obstacle = Obstacle::Vertex;
+      if (certificate.obstacle == Obstacle::None) certificate.obstacle = obstacle_at(field, *open);
       continue;
     }
     const OutsideVertices outside(field, vertices, sides, row.feature);

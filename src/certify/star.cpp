@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triplex/certify/star.hpp"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "error_bounds.hpp"
@@ -36,6 +37,12 @@ struct OneSignBeyondNode {
   }
 };
 
+template <std::size_t N>
+std::array<VertexId, N> ascending(std::array<VertexId, N> vertices) {
+  std::ranges::sort(vertices);
+  return vertices;
+}
+
 }  // namespace
 
 template <int N>
@@ -49,6 +56,19 @@ bool is_ready_for_star(const Simplex<4>& cell, SignStages& stages) {
   if (uniform_sign_of_p(cell, stages) != Sign::Negative) return false;
   if (uniform_sign_of_q(cell, stages) == Sign::Zero) return false;
   return certifies_nappes(cell, stages);
+}
+
+bool has_certified_spokes(const Simplex<4>& cell, VertexId node, SignStages& stages) {
+  const RefinableField& field = cell.field();
+  const auto& v = cell.vertices();
+  for (const VertexId a : v)
+    if (!certifies_only_node(Simplex<2>(field, ascending<2>({a, node})), stages)) return false;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      const Simplex<3> face(field, ascending<3>({v[i], v[j], node}));
+      if (!certifies_only_node(face, stages) && !certifies_nappes(face, stages)) return false;
+    }
+  return true;
 }
 
 template bool certifies_only_node<2>(const Simplex<2>&, SignStages&);

@@ -343,28 +343,83 @@ std::optional<VertexId> RefinableField::add_rational_between(VertexId a, VertexI
 }
 
 VertexId RefinableField::add_node(const std::array<VertexId, 4>& tet,
-                                  const std::array<double, 4>& centre, double radius) {
-  return add(Enclosed{tet, centre, radius, true});
+                                  const std::array<double, 4>& centre, double radius,
+                                  const std::array<ExactRange, 4>& weights) {
+  const auto v = static_cast<VertexId>(approximations_.size());
+  Tensor<ExactRange>& tensor = node_tensors_[v];
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Tensor<Exact> corner = exact(tet[i]);
+    for (std::size_t k = 0; k < 9; ++k) tensor[k] = tensor[k] + weights[i] * corner[k];
+  }
+  Enclosed e{.vertices = tet, .weights = centre, .radius = radius};
+  e.node = v;
+  return add(e);
 }
 
-/// The mean of two weights is rounded by 2^-51 at most: three roundings of numbers up to one.
-std::optional<VertexId> RefinableField::add_enclosed_between(VertexId a, VertexId b, double at) {
-  if (!is_enclosed(a)) {
-    std::swap(a, b);
-    at = 1 - at;
+VertexId RefinableField::add_node(const std::array<VertexId, 4>& tet,
+                                  const std::array<double, 4>& centre, double radius) {
+  std::array<ExactRange, 4> weights;
+  for (std::size_t i = 0; i < 4; ++i)
+    weights[i] = ExactRange(centre[i]) + ExactRange(Exact(-radius), Exact(radius));
+  return add_node(tet, centre, radius, weights);
+}
+
+Tensor<ExactRange> RefinableField::enclosure(VertexId v) const {
+  Tensor<ExactRange> sum;
+  if (!is_enclosed(v)) {
+    const Tensor<Exact> point = exact(v);
+    for (std::size_t k = 0; k < 9; ++k) sum[k] = point[k];
+    return sum;
   }
-  Enclosed middle{enclosed_.at(a).vertices, {}, (1 - at) * enclosed_.at(a).radius, false};
+  const Enclosed& e = enclosed_.at(v);
+  const auto add_multiple = [&](std::uint64_t n, const auto& tensor) {
+    if (n == 0) return;
+    constexpr int kHalf = 32;  // a double holds half of the bits exactly
+    const Exact weight = (Exact(static_cast<double>(n >> kHalf)) * Exact(0x1p32) +
+                          Exact(static_cast<double>(n & 0xffffffffu))) *
+                         Exact(std::ldexp(1.0, -e.depth));
+    for (std::size_t k = 0; k < 9; ++k) sum[k] = sum[k] + ExactRange(weight) * tensor[k];
+  };
+  add_multiple(e.of_node, node_tensors_.at(e.node));
+  for (std::size_t i = 0; i < 4; ++i)
+    if (e.of_vertices[i] != 0) add_multiple(e.of_vertices[i], exact(e.vertices[i]));
+  return sum;
+}
+
+/// The mean of two weights is rounded once, by 2^-53 at most.
+std::optional<VertexId> RefinableField::add_enclosed_midpoint(VertexId a, VertexId b) {
+  if (!is_enclosed(a)) std::swap(a, b);
+  Enclosed middle = enclosed_.at(a);
   const bool both = is_enclosed(b);
-  if (both) middle.radius += at * enclosed_.at(b).radius;
-  if (is_rational(b)) middle.radius += at * kWeightError;
-  middle.radius = middle.radius * (1 + 0x1p-20) + 0x1p-51;
+  Enclosed other = both ? enclosed_.at(b) : Enclosed{.vertices = middle.vertices, .of_node = 0};
+  if (!both) {
+    if (is_rational(b))
+      throw std::logic_error("an edge between an enclosed vertex and a rational one");
+    const Combination c = combination(b);
+    other.depth = c.depth;
+    for (std::size_t i = 0; i < 4; ++i) {
+      other.weights[i] = weight(b, middle.vertices[i]);
+      for (std::size_t k = 0; k < 4; ++k)
+        if (c.numerators[k] != 0 && c.vertices[k] == middle.vertices[i])
+          other.of_vertices[i] = c.numerators[k];
+    }
+  } else if (other.node != middle.node) {
+    throw std::logic_error("an edge between two nodes");
+  }
+  const int depth = std::max(middle.depth, other.depth) + 1;
+  if (depth > kMaxEnclosedDepth) return std::nullopt;
+  const auto mean = [&](std::uint64_t n, std::uint64_t m) {
+    return (n << (depth - 1 - middle.depth)) + (m << (depth - 1 - other.depth));
+  };
   double length = 0;
   for (std::size_t i = 0; i < 4; ++i) {
-    const double from = enclosed_.at(a).weights[i];
-    const double to = both ? enclosed_.at(b).weights[i] : weight(b, middle.vertices[i]);
-    middle.weights[i] = (1 - at) * from + at * to;
-    length = std::fmax(length, std::fabs(from - to));
+    length = std::fmax(length, std::fabs(middle.weights[i] - other.weights[i]));
+    middle.weights[i] = (middle.weights[i] + other.weights[i]) / 2;
+    middle.of_vertices[i] = mean(middle.of_vertices[i], other.of_vertices[i]);
   }
+  middle.of_node = mean(middle.of_node, other.of_node);
+  middle.depth = depth;
+  middle.radius = (middle.radius + other.radius) / 2 * (1 + 0x1p-20) + 0x1p-52;
   constexpr double kLeastLength = 64;  // radii: what is shorter could not be certified anyway
   if (!(length > kLeastLength * middle.radius)) return std::nullopt;
   return add(middle);
@@ -468,7 +523,7 @@ std::vector<VertexId> RefinableField::corners(VertexId v) const {
 }
 
 std::optional<VertexId> RefinableField::add_point_between(VertexId a, VertexId b, double at) {
-  if (is_enclosed(a) || is_enclosed(b)) return add_enclosed_between(a, b, at);
+  if (is_enclosed(a) || is_enclosed(b)) return add_enclosed_midpoint(a, b);
   if (is_rational(a) || is_rational(b)) return add_rational_between(a, b, at);
   const std::array<Combination, 2> ends = {combination(a), combination(b)};
   const Dyadic ratio = dyadic(at);

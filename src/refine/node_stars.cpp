@@ -19,19 +19,36 @@ namespace {
 /// A quality limit only: tets near curves of nodes would take any number of cells.
 constexpr int kSearchCells = 1000;
 
-using Coordinates = std::array<std::array<Interval, 4>, 4>;
+/// Up to this depth a leaf waits until the spokes are certified too. A quality limit only: without
+/// waiting, edges at some nodes are halved without end; while waiting, others are.
+constexpr int kPatience = 27;
 
-Sign sign_of_determinant(const Coordinates& m) {
-  const Interval d =
+template <class NT>
+using Coordinates = std::array<std::array<NT, 4>, 4>;
+
+template <class NT>
+Certainty sign_of_determinant(const Coordinates<NT>& m) {
+  const NT d =
       CGAL::determinant(m[0][0], m[0][1], m[0][2], m[0][3], m[1][0], m[1][1], m[1][2], m[1][3],
                         m[2][0], m[2][1], m[2][2], m[2][3], m[3][0], m[3][1], m[3][2], m[3][3]);
-  return d.inf() > 0 ? Sign::Positive : d.sup() < 0 ? Sign::Negative : Sign::Zero;
+  return certainty(d, 0);
 }
 
-Interval weight_in(const RefinableField& field, VertexId v, VertexId corner) {
-  const Interval w(field.weight(v, corner));
-  if (!field.is_rational(v)) return w;
-  return w + Interval(-RefinableField::kWeightError, RefinableField::kWeightError);
+/// Whether a point lies strictly inside a tet, all by barycentric coordinates in a tet of the
+/// input: its own in the tet are quotients of determinants (Cramer's rule).
+template <class NT>
+Verdict is_inside(const Coordinates<NT>& tet, const std::array<NT, 4>& point) {
+  const Certainty whole = sign_of_determinant(tet);
+  if (whole == Certainty::Unknown) return Verdict::Unknown;
+  Verdict verdict = Verdict::Yes;
+  for (std::size_t i = 0; i < 4; ++i) {
+    Coordinates<NT> replaced = tet;
+    replaced[i] = point;
+    const Certainty part = sign_of_determinant(replaced);
+    if (part == Certainty::Unknown) verdict = Verdict::Unknown;
+    if (part != whole && part != Certainty::Unknown) return Verdict::No;
+  }
+  return verdict;
 }
 
 }  // namespace
@@ -70,39 +87,41 @@ void NodeStars::search(std::vector<TetId> tets, SignStages& stages) {
         radius = std::fmax(radius, std::fmax(x[i].hi - centre[i], centre[i] - x[i].lo));
       }
       // Roundings here, 2^-53 at most, are covered by what `add_node` adds to the radius.
-      const VertexId v = complex_.field.add_node(vertices[n], centre, radius);
+      const auto weights = enclosed_weights(complex_.field, vertices[n], node);
+      const VertexId v = complex_.field.add_node(vertices[n], centre, radius, weights);
       complex_.sectors.push_back(static_cast<std::uint8_t>(real_side(table_, node.feature)));
       if (!complex_.sides.empty())
         complex_.sides.push_back(sides_at(complex_.field, v, table_, table_.level_sets(), stages));
       complex_.nodes.push_back({v, tets[n], node.feature});
-      waiting.push_back({v, vertices[n], x});
+      waiting.push_back({v, vertices[n], x, weights});
     }
   }
 }
 
-/// Its barycentric coordinates in the leaf are quotients of determinants (Cramer's rule).
+/// In intervals, then exactly but for the width of the enclosure.
 bool NodeStars::holds(const Leaf& leaf, const Waiting& node) const {
-  const IntervalRounding protect;
-  Coordinates m;
-  for (std::size_t i = 0; i < 4; ++i)
+  const auto in = [&]<class NT>(const std::array<NT, 4>& point) {
+    Coordinates<NT> tet;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j)
+        tet[i][j] = NT(complex_.field.weight(leaf.vertices[i], node.tet[j]));
+    return is_inside(tet, point);
+  };
+  const Verdict verdict = [&] {
+    const IntervalRounding protect;
+    std::array<Interval, 4> point;
     for (std::size_t j = 0; j < 4; ++j)
-      m[i][j] = weight_in(complex_.field, leaf.vertices[i], node.tet[j]);
-  const Sign whole = sign_of_determinant(m);
-  if (whole == Sign::Zero) return false;
-  for (std::size_t i = 0; i < 4; ++i) {
-    Coordinates replaced = m;
-    for (std::size_t j = 0; j < 4; ++j)
-      replaced[i][j] = Interval(node.coordinates[j].lo, node.coordinates[j].hi);
-    if (sign_of_determinant(replaced) != whole) return false;
-  }
-  return true;
+      point[j] = Interval(node.coordinates[j].lo, node.coordinates[j].hi);
+    return in(point);
+  }();
+  return (verdict == Verdict::Unknown ? in(node.weights) : verdict) == Verdict::Yes;
 }
 
 std::optional<VertexId> NodeStars::ready_in(const Leaf& leaf, SignStages& stages) const {
   const auto waiting = waiting_.find(leaf.input);
   if (waiting == waiting_.end() || waiting->second.empty()) return {};
   const auto is_special = [&](VertexId v) {
-    return complex_.field.is_enclosed(v) || complex_.field.is_node(v);
+    return !complex_.field.has_exact_tensor(v) || complex_.field.is_node(v);
   };
   if (std::ranges::any_of(leaf.vertices, is_special)) return {};
   const Waiting* held = nullptr;
@@ -111,14 +130,15 @@ std::optional<VertexId> NodeStars::ready_in(const Leaf& leaf, SignStages& stages
     if (held != nullptr) return {};  // the second would stay in a tet around the first
     held = &node;
   }
-  if (held == nullptr || !only_its_page_near(leaf, held->vertex, stages) ||
-      !is_ready_for_star(Simplex<4>(complex_.field, leaf.vertices), stages))
-    return {};
+  if (held == nullptr || !only_its_page_near(leaf, held->vertex, stages)) return {};
+  const Simplex<4> cell(complex_.field, leaf.vertices);
+  if (!is_ready_for_star(cell, stages)) return {};
+  if (leaf.depth < kPatience && !has_certified_spokes(cell, held->vertex, stages)) return {};
   return held->vertex;
 }
 
-/// Tests with a node as vertex end with the intervals, so nothing may come near that might need
-/// more: no mode surface, and no level set on a side of which the node is not known to be.
+/// Tests with an enclosed vertex never ask the perturbed field, so nothing may come near that might
+/// need it: no mode surface, and no level set on a side of which the node is not known to be.
 bool NodeStars::only_its_page_near(const Leaf& leaf, VertexId node, SignStages& stages) const {
   if (!complex_.sides.empty() && complex_.sides[index(node)].open != 0) return false;
   const Simplex<4> cell(complex_.field, leaf.vertices);

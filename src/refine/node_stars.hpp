@@ -34,6 +34,7 @@ class NodeStars {
     VertexId vertex;
     std::array<VertexId, 4> tet;
     std::array<Range, 4> coordinates;
+    std::array<ExactRange, 4> weights;  // the same, narrower
   };
   bool holds(const Leaf& leaf, const Waiting& node) const;
   bool only_its_page_near(const Leaf& leaf, VertexId node, SignStages& stages) const;

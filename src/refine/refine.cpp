@@ -13,6 +13,7 @@
 #include "bisection.hpp"
 #include "exact_points.hpp"
 #include "leaf_lookup.hpp"
+#include "needle.hpp"
 #include "node_stars.hpp"
 #include "triplex/certify/sweep.hpp"
 
@@ -174,8 +175,13 @@ class Refinement {
     leaf.open = certificate.open;
     leaf.has_spine_proof = certificate.has_spine_proof;
     leaf.obstacle = certificate.obstacle;
-    if (certificate.open != 0 && certificate.obstacle != Obstacle::Vertex)
-      wishes_.local().push_back({pending_[n], {certificate.edge, certificate.variation}});
+    if (certificate.open != 0 && !is_at_vertex(certificate.obstacle))
+      wishes_.local().push_back({pending_[n], mark_of(leaf, certificate)});
+  }
+  /// The edge that failed to be certified, unless the leaf has become too long.
+  Mark mark_of(const Leaf& leaf, const CellCertificate& certificate) const {
+    const auto longest = edge_of_needle(complex_.field, leaf);
+    return {longest ? *longest : certificate.edge, certificate.variation};
   }
 
   /// The open ones among the pending leaves of tets in which refinement lasts.

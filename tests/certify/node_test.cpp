@@ -59,6 +59,34 @@ Planted plant(oracle::Random& random, std::array<std::int64_t, 3> weights) {
   return p;
 }
 
+/// Planted nodes are known as fractions, so what the enclosures hold is too.
+TEST(EnclosedWeights, HoldTheNodeNarrowly) {
+  oracle::Random random(7);
+  int enclosed = 0;
+  for (int n = 0; n < 100; ++n) {
+    const Planted p = plant(random, {5 + n % 3, 3, 7});
+    const RefinableField field(p.field);
+    const auto vertex = field.vertices_of_input();
+    const std::array<VertexId, 4> tet = {vertex[0], vertex[1], vertex[2], vertex[3]};
+    for (const IsolatedNode& node : isolate_nodes(field, tet, kBoth).nodes) {
+      if (exact_weights(field, tet, node) != p.weights) continue;
+      ++enclosed;
+      const auto x = enclosed_weights(field, tet, node);
+      std::int64_t sum = 0;
+      for (const std::int64_t w : p.weights) sum += w;
+      const auto scaled_sum = ExactRange(static_cast<double>(sum));
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Exact w(static_cast<double>(p.weights[i]));
+        const ExactRange scaled = scaled_sum * x[i];
+        EXPECT_NE(sign(w - scaled.lo), Sign::Negative);
+        EXPECT_NE(sign(scaled.hi - w), Sign::Negative);
+        EXPECT_EQ(sign(x[i].hi - x[i].lo - Exact(0x1p-200)), Sign::Negative);
+      }
+    }
+  }
+  EXPECT_GT(enclosed, 60);
+}
+
 /// Where the search claims to be complete, the planted node is there: within its box, and nowhere
 /// else. Its vertices are numbered by coordinates, so the file's order is mapped first.
 TEST(IsolateNodes, FindsPlantedNodesInsideOnFacesEdgesAndVertices) {

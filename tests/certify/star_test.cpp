@@ -116,14 +116,7 @@ TEST(Star, EdgesAndFacesAtTheNodeAreFixed) {
   for (int n = 0; n < 200; ++n) {
     Star star(test::planted_node(random, kNode, std::exp2(-2.0 - n % 8)), kNode);
     if (!is_ready_for_star(star.tet.cell(), stages)) continue;
-    bool certified = true;  // the edges and faces at the node
-    for (std::size_t i = 0; i < 4; ++i) {
-      certified &= only_node(star, std::array{V[i]}, stages);
-      for (std::size_t j = i + 1; j < 4; ++j)
-        certified &= only_node(star, std::array{V[i], V[j]}, stages) ||
-                     certifies_nappes(Simplex<3>(star.field(), {V[i], V[j], star.node}), stages);
-    }
-    if (!certified) continue;
+    if (!has_certified_spokes(star.tet.cell(), star.node, stages)) continue;
     ++ready;
     std::array<int, 4> sign{};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -175,13 +168,13 @@ TEST(IsReadyForStar, RefusesWhatElseIsThere) {
   int ready_ones = 0;
   for (int n = 0; n < 50; ++n) {
     auto tensors = test::planted_node(random, kNode, std::exp2(-5));
-    OneTet tet(tensors);
-    if (!is_ready_for_star(tet.cell(), stages)) continue;
+    Star star(tensors, kNode);
+    if (!is_ready_for_star(star.tet.cell(), stages)) continue;
     ++ready_ones;
     // One corner across the neutral surface.
     tensors[0] = -tensors[0];
-    OneTet across(tensors);
-    EXPECT_FALSE(is_ready_for_star(across.cell(), stages));
+    Star across(tensors, kNode);
+    EXPECT_FALSE(is_ready_for_star(across.tet.cell(), stages));
   }
   EXPECT_GT(ready_ones, 10);
 }

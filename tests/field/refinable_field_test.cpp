@@ -129,6 +129,59 @@ TEST(EnclosedVertex, MidpointsAreEnclosedAsWell) {
   }
 }
 
+/// Enclosures with exact ends hold the tensors too, and are as narrow as the weights of the node.
+TEST(EnclosedVertex, EnclosuresFollowTheWeightsOfTheNode) {
+  Random random(4);
+  const Exact narrow(0x1p-200);
+  for (int n = 0; n < 20; ++n) {
+    const TensorField input = one_tet(random, 1);
+    RefinableField field(input);
+    const std::array<double, 4> centre = {0.125, 0.1875, 0.3125, 0.375};
+    std::array<ExactRange, 4> weights;
+    for (std::size_t i = 0; i < 4; ++i)
+      weights[i] = {Exact(centre[i]) - narrow, Exact(centre[i]) + narrow};
+    const VertexId node = field.add_node(kTet, centre, 0x1p-50, weights);
+    std::array<Exact, 4> y;
+    for (std::size_t i = 0; i < 4; ++i) y[i] = Exact(centre[i]);
+    const VertexId inner = *field.add_midpoint(kTet[0], kTet[1]);
+    const std::array<VertexId, 3> ends = {inner, kTet[2], kTet[n % 4]};
+    VertexId v = node;
+    for (int halvings = 0; halvings < 3; ++halvings) {
+      v = n % 2 == 0 ? *field.add_midpoint(v, ends[halvings])
+                     : *field.add_midpoint(ends[halvings], v);
+      for (std::size_t i = 0; i < 4; ++i)
+        y[i] = Exact(0.5) * (y[i] + Exact(field.weight(ends[halvings], kTet[i])));
+      const Tensor<ExactRange> range = field.enclosure(v);
+      for (std::size_t k = 0; k < 9; ++k) {
+        Exact a;
+        for (std::size_t i = 0; i < 4; ++i) a = a + y[i] * field.exact(kTet[i])[k];
+        EXPECT_EQ(sign(a - range[k].lo), Sign::Positive);
+        EXPECT_EQ(sign(range[k].hi - a), Sign::Positive);
+        EXPECT_EQ(sign(range[k].hi - range[k].lo - Exact(0x1p-190)), Sign::Negative);
+      }
+    }
+    // Two ends at the node.
+    const VertexId other = *field.add_midpoint(node, kTet[3]);
+    const Tensor<ExactRange> a = field.enclosure(v), b = field.enclosure(other);
+    const Tensor<ExactRange> middle = field.enclosure(*field.add_midpoint(v, other));
+    for (std::size_t k = 0; k < 9; ++k) {
+      EXPECT_EQ(sign(middle[k].lo + middle[k].lo - a[k].lo - b[k].lo), Sign::Zero);
+      EXPECT_EQ(sign(middle[k].hi + middle[k].hi - a[k].hi - b[k].hi), Sign::Zero);
+    }
+  }
+}
+
+TEST(EnclosedVertex, EnclosuresOfOtherVerticesArePoints) {
+  Random random(5);
+  const TensorField input = one_tet(random, 1);
+  RefinableField field(input);
+  for (const VertexId v : {kTet[1], *field.add_midpoint(kTet[0], kTet[2])})
+    for (std::size_t k = 0; k < 9; ++k) {
+      EXPECT_EQ(sign(field.enclosure(v)[k].lo - field.exact(v)[k]), Sign::Zero);
+      EXPECT_EQ(sign(field.enclosure(v)[k].hi - field.exact(v)[k]), Sign::Zero);
+    }
+}
+
 TEST(EnclosedVertex, IsNotKnownExactly) {
   Random random(2);
   const TensorField input = one_tet(random, 1);

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <map>
 
+#include "../../src/refine/bisection.hpp"
+#include "../../src/refine/needle.hpp"
 #include "triplex/field/generators.hpp"
 
 namespace triplex {
@@ -187,6 +189,31 @@ TEST(Refine, OpenLeavesSayWhy) {
     EXPECT_EQ(leaf.open & leaf.graph, 0);
     EXPECT_FALSE(describe(leaf.obstacle).empty());
   }
+}
+
+/// Two leaves of one size: the longest edge is named only where the volume is far too small for it.
+TEST(Refine, NeedlesAreCutAcrossTheirLongestEdge) {
+  const TensorField field = rolls();
+  const RefinableField refinable(field);
+  Leaf leaf{.vertices = refinable.input_tets()[0], .input = TetId(0)};
+  sort_vertices(leaf);
+  EXPECT_FALSE(edge_of_needle(refinable, leaf));
+  leaf.depth = 12;  // sixteen times as long as usual
+  EXPECT_FALSE(edge_of_needle(refinable, leaf));
+  leaf.depth = 15;
+  const auto edge = edge_of_needle(refinable, leaf);
+  ASSERT_TRUE(edge);
+  const auto length = [&](VertexId a, VertexId b) {
+    double squared = 0;
+    for (std::size_t k = 0; k < 9; ++k) {
+      const double x = refinable.approximate(a).a[k] - refinable.approximate(b).a[k];
+      squared += x * x;
+    }
+    return squared;
+  };
+  for (const VertexId a : leaf.vertices)
+    for (const VertexId b : leaf.vertices) EXPECT_LE(length(a, b), length((*edge)[0], (*edge)[1]));
+  EXPECT_LT((*edge)[0], (*edge)[1]);
 }
 
 TEST(Refine, SizeLimitEndsTheRun) {

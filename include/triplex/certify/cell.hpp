@@ -23,8 +23,14 @@ enum class Obstacle : std::uint8_t {
   SpineFace,  ///< (p, q) not proven injective on a face
   SpineCell,  ///< the triple degenerate curve not proven monotone, or more than one arc
   LevelSet,   ///< the tensors at outside vertices not separated from a level set's convex set
+  Enclosed,   ///< a sign at the middle of an edge at a node stays open: see `add_midpoint`
 };
 std::string_view describe(Obstacle obstacle);
+/// What a vertex without a label is to the tets around it; no bisection mends it.
+Obstacle obstacle_at(const RefinableField& field, VertexId v);
+inline bool is_at_vertex(Obstacle obstacle) {
+  return obstacle == Obstacle::Vertex || obstacle == Obstacle::Enclosed;
+}
 
 /// What is proven about one tet, and where to bisect it if that is not enough.
 struct CellCertificate {
@@ -33,8 +39,9 @@ struct CellCertificate {
   FeatureSet open = 0;   ///< requested features not proven
   bool has_spine_proof = false;
   Obstacle obstacle = Obstacle::None;
-  std::array<VertexId, 2> edge{};  ///< the edge to bisect, if `obstacle` is not None or Vertex
-  double variation = 0;            ///< of that edge; orders the bisections
+  std::array<VertexId, 2>
+      edge{};            ///< the edge to bisect, if `obstacle` is neither None nor at a vertex
+  double variation = 0;  ///< of that edge; orders the bisections
 
   bool complete() const { return open == 0; }
 };

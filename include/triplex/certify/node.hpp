@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "triplex/arithmetic/exact.hpp"
+#include "triplex/arithmetic/exact_range.hpp"
 #include "triplex/certify/enclosure.hpp"
 #include "triplex/feature/feature.hpp"
 #include "triplex/field/refinable_field.hpp"
@@ -68,5 +69,11 @@ std::array<std::int64_t, 4> exact_weights(const RefinableField& field,
 /// Guarantee: exact.
 bool is_at(const RefinableField& field, const std::array<VertexId, 4>& vertices,
            const IsolatedNode& node, VertexId v);
+
+/// The barycentric coordinates of a node in its tet, enclosed far beyond doubles where its system
+/// is regular. Guarantee: they hold those of the node in `node.box`. Source: proofs/node.md.
+std::array<ExactRange, 4> enclosed_weights(const RefinableField& field,
+                                           const std::array<VertexId, 4>& vertices,
+                                           const IsolatedNode& node);
 
 }  // namespace triplex

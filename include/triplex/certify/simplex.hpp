@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "triplex/arithmetic/exact.hpp"
+#include "triplex/arithmetic/exact_range.hpp"
 #include "triplex/arithmetic/filter.hpp"
 #include "triplex/arithmetic/infinitesimal.hpp"
 #include "triplex/arithmetic/interval.hpp"
@@ -28,6 +29,11 @@ inline Certainty certainty(double x, double error) {
 }
 inline Certainty certainty(const Interval& x, double) {
   return x.inf() > 0 ? Certainty::Positive : x.sup() < 0 ? Certainty::Negative : Certainty::Unknown;
+}
+inline Certainty certainty(const ExactRange& x, double) {
+  return sign(x.lo) == Sign::Positive   ? Certainty::Positive
+         : sign(x.hi) == Sign::Negative ? Certainty::Negative
+                                        : Certainty::Unknown;
 }
 inline Certainty certainty(const Exact& x, double) {
   return static_cast<Certainty>(static_cast<int>(sign(x)));
@@ -99,7 +105,10 @@ class Simplex {
         scale_(parent.scale_),
         approximate_(restrict_to<N>(parent.approximate(), local)),
         local_(local) {
-    if constexpr (M == 4) cell_exact_ = parent.exact_;
+    if constexpr (M == 4) {
+      cell_exact_ = parent.exact_;
+      cell_enclosed_ = parent.enclosed_;
+    }
     for (int i = 0; i < N; ++i) {
       vertices_[i] = parent.vertices()[local[i]];
       entries_.include(scaled_tensor(i).bounds);
@@ -141,7 +150,7 @@ class Simplex {
   /// `test(forms, bounds)` is called with forms over double, Interval, Exact and Perturbed in turn
   /// until one rung answers Yes or No. A test that even the perturbation leaves open is answered
   /// No: certificates are sufficient conditions, so that is always safe. With an enclosed vertex
-  /// the intervals are the last rung.
+  /// the last rung is that of `ExactRange`, and the perturbation is not asked.
   template <class Test>
   bool decide(const Test& test, SignStages& stages) const {
     if (filter_usable()) {
@@ -215,12 +224,12 @@ class Simplex {
         return verdict == Verdict::Yes;
       }
     }
-    if (has_enclosed_vertex()) return false;
     if (stages.limit != Stage::Exact) {
       stages.stopped_short = true;
       return false;
     }
     stages.count(Stage::Exact);
+    if (has_enclosed_vertex()) return test(enclosed_forms(), bounds_) == Verdict::Yes;
     Verdict verdict = test(exact_forms(), bounds_);
     if (verdict == Verdict::Unknown) verdict = test(perturbed_forms(), bounds_);
     return verdict == Verdict::Yes;
@@ -245,6 +254,21 @@ class Simplex {
     }
     return *exact_;
   }
+  const Forms<ExactRange, N>& enclosed_forms() const {
+    if (!enclosed_) {
+      std::array<Tensor<ExactRange>, N> a;
+      if (!cell_enclosed_)
+        for (int i = 0; i < N; ++i) {
+          a[i] = field_->enclosure(vertices_[i]);
+          for (ExactRange& x : a[i])
+            x = {scale_by_power_of_two(x.lo, field_->scale_exponent()),
+                 scale_by_power_of_two(x.hi, field_->scale_exponent())};
+        }
+      enclosed_ = std::make_shared<const Forms<ExactRange, N>>(
+          cell_enclosed_ ? restrict_to<N>(*cell_enclosed_, local_) : forms_of<ExactRange, N>(a));
+    }
+    return *enclosed_;
+  }
   const Forms<Perturbed<N>, N>& perturbed_forms() const {
     if (!perturbed_) {
       Tensor<Exact> direction;
@@ -267,8 +291,10 @@ class Simplex {
   Forms<double, N> approximate_;
   std::array<int, N> local_{};                         // in the cell, of a face or edge
   std::shared_ptr<const Forms<Exact, 4>> cell_exact_;  // if the cell has needed them
+  std::shared_ptr<const Forms<ExactRange, 4>> cell_enclosed_;
   mutable std::shared_ptr<const Forms<Interval, N>> interval_;
   mutable std::shared_ptr<const Forms<Exact, N>> exact_;
+  mutable std::shared_ptr<const Forms<ExactRange, N>> enclosed_;
   mutable std::shared_ptr<const Forms<Perturbed<N>, N>> perturbed_;
 };
 

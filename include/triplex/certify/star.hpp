@@ -21,4 +21,8 @@ bool certifies_only_node(const Simplex<N>& simplex, SignStages& stages);
 /// can be mended by halving edges; each is certified anew. \pre the node lies inside the tet.
 bool is_ready_for_star(const Simplex<4>& cell, SignStages& stages);
 
+/// Whether the edges and faces between the node and the tet's edges would be certified at once. A
+/// matter of cost: halving them makes new ones, and around narrow cones ever more.
+bool has_certified_spokes(const Simplex<4>& cell, VertexId node, SignStages& stages);
+
 }  // namespace triplex

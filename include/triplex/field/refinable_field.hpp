@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "triplex/arithmetic/exact.hpp"
+#include "triplex/arithmetic/exact_range.hpp"
 #include "triplex/arithmetic/filter.hpp"
 #include "triplex/bernstein/tensor_array.hpp"
 #include "triplex/field/tensor_field.hpp"
@@ -69,8 +70,8 @@ class RefinableField {
 
   /// A point between two vertices of one tet, as a new vertex: (1 - at) a + at b, where `at` is a
   /// dyadic inside (0, 1); nothing if a weight is no multiple of 2^-kMaxDepth. If an end is
-  /// enclosed, so is the new vertex; nothing if the edge is too short to be told from the
-  /// enclosures.
+  /// enclosed, so is the new vertex, which is the midpoint whatever `at` says; nothing if the edge
+  /// is too short to be told from the enclosures.
   std::optional<VertexId> add_point_between(VertexId a, VertexId b, double at);
   std::optional<VertexId> add_midpoint(VertexId a, VertexId b) {
     return add_point_between(a, b, 0.5);
@@ -92,10 +93,16 @@ class RefinableField {
   std::array<Exact, 4> exact_weights(VertexId v, const std::array<VertexId, 4>& tet) const;
 
   /// A node, a point of a tet of the input that is known by an enclosure only: its barycentric
-  /// coordinates lie within `radius` of `centre`, which sums to one up to rounding. Its tensor is
-  /// known in doubles with a proven error, not exactly. Source: proofs/star.md.
+  /// coordinates lie within `radius` of `centre`, which sums to one up to rounding, and in
+  /// `weights`, which may be much narrower. Its tensor is known in doubles with a proven error and
+  /// by an enclosure with exact ends, not exactly. Source: proofs/star.md.
+  VertexId add_node(const std::array<VertexId, 4>& tet, const std::array<double, 4>& centre,
+                    double radius, const std::array<ExactRange, 4>& weights);
+  /// With the weights that centre and radius allow.
   VertexId add_node(const std::array<VertexId, 4>& tet, const std::array<double, 4>& centre,
                     double radius);
+  /// Encloses what `exact` is; a point unless the vertex is enclosed.
+  Tensor<ExactRange> enclosure(VertexId v) const;
   /// A node, or a midpoint made with one: the tensor is known by an enclosure.
   bool is_enclosed(VertexId v) const {
     return !enclosed_.empty() && index(v) >= enclosed_from_ && enclosed_.contains(v);
@@ -103,7 +110,7 @@ class RefinableField {
   /// Declares a vertex that is not enclosed to be a node, proven by `is_node` of certify/node.
   void declare_node(VertexId v) { nodes_.insert(v); }
   bool is_node(VertexId v) const {
-    return (!nodes_.empty() && nodes_.contains(v)) || (is_enclosed(v) && enclosed_.at(v).is_node);
+    return (!nodes_.empty() && nodes_.contains(v)) || (is_enclosed(v) && enclosed_.at(v).node == v);
   }
   /// On planes of symmetry and at free-slip walls tensors are block triangular. Bit k (bit 3 + k):
   /// the two entries beside the diagonal in column (row) k are exactly zero, at all vertices of the
@@ -128,13 +135,18 @@ class RefinableField {
   };
   void find_mirror_planes();
   bool is_input(VertexId v) const { return index(v) < input_of_.size(); }
-  /// A point known by an enclosure; the weights are those of its centre.
+  /// A point known by an enclosure; the weights are those of its centre. It is a combination of a
+  /// node and of vertices of the input with exact weights n / 2^depth.
   struct Enclosed {
     std::array<VertexId, 4> vertices{};
     std::array<double, 4> weights{};
     double radius = 0;
-    bool is_node = false;
+    VertexId node{};
+    std::uint64_t of_node = 1;
+    std::array<std::uint64_t, 4> of_vertices{};
+    int depth = 0;
   };
+  static constexpr int kMaxEnclosedDepth = 60;  // numerators are 64-bit integers
   /// A point with weights n_i / N, where N = n_0 + ... + n_3 is at least 1 and below 2.
   struct Rational {
     std::array<VertexId, 4> vertices{};
@@ -147,7 +159,7 @@ class RefinableField {
   std::optional<VertexId> add_rational_between(VertexId a, VertexId b, double at);
   ApproximateTensor combine_rational(const Rational& r, bool with_trace) const;
   VertexId add(const Enclosed& e);
-  std::optional<VertexId> add_enclosed_between(VertexId a, VertexId b, double at);
+  std::optional<VertexId> add_enclosed_midpoint(VertexId a, VertexId b);
   Combination combination(VertexId v) const;
   ApproximateTensor combine_enclosed(const Enclosed& e, bool with_trace) const;
   ApproximateTensor combine_tensor(VertexId v) const;
@@ -162,7 +174,8 @@ class RefinableField {
   std::vector<ApproximateTensor> tensors_;  // with trace; empty unless kept
   std::vector<Combination> midpoints_;      // unused where the vertex is enclosed or rational
   std::unordered_map<VertexId, Enclosed> enclosed_;
-  std::size_t enclosed_from_ = 0;  // no vertex before is
+  std::unordered_map<VertexId, Tensor<ExactRange>> node_tensors_;  // of enclosed nodes
+  std::size_t enclosed_from_ = 0;                                  // no vertex before is
   std::unordered_map<VertexId, Rational> rational_;
   std::size_t rational_from_ = 0;  // no vertex before is
   std::unordered_set<VertexId> nodes_;
