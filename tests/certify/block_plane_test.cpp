@@ -237,9 +237,10 @@ TEST(BlockPlane, PencilsFromThePlaneMeetTheSurfaceOnce) {
 }
 
 /// A free-slip wall z = 0 and, above it, D = (x^2 - 4 c z) times a square, with the coupling
-/// c = coupling + slope y: where c > 0 the surface touches the wall along x = 0 from inside.
+/// c = coupling + slope y + lift z / size: where c > 0 the surface touches the wall along x = 0
+/// from inside.
 struct Wall {
-  double size = 0.125, coupling = 1, slope = 0, offset = 0.25;
+  double size = 0.125, coupling = 1, slope = 0, lift = 0, offset = 0.25;
 };
 TensorField field_of(const Wall& wall) {
   TensorField input;
@@ -247,7 +248,8 @@ TensorField field_of(const Wall& wall) {
   input.mesh.tets = {{VertexId(0), VertexId(1), VertexId(2), VertexId(3)}};
   for (const Point& at : input.mesh.points) {
     const double x = wall.size * at[0], z = wall.size * at[2];
-    input.tensors.push_back({x, 0, -z, 0, 5, 0, wall.coupling + wall.slope * at[1], 0.25, 0});
+    input.tensors.push_back(
+        {x, 0, -z, 0, 5, 0, wall.coupling + wall.slope * at[1] + wall.lift * at[2], 0.25, 0});
   }
   return input;
 }
@@ -271,6 +273,12 @@ TEST(BlockPlane, ASheetMayTouchTheWall) {
   EXPECT_TRUE(certified_on({}));
   EXPECT_TRUE(certified_on({.slope = 0.5}));
   EXPECT_FALSE(certified_on({.size = 32})) << "far beyond the scale of the coupling";
+}
+
+/// From the wall into the complex domain and out again: D changes sign twice, but its layers beyond
+/// the first only once.
+TEST(BlockPlane, TheSignOnTheWallCounts) {
+  EXPECT_FALSE(certified_on({.size = 0x1p-5, .lift = -2}));
 }
 
 /// Where the coupling changes sign on the curve of touching there is a node: layers have no sign
