@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../oracle/random_tensors.hpp"
+#include "triplex/feature/feature_table.hpp"
 
 namespace triplex {
 namespace {

@@ -89,7 +89,7 @@ struct ExtractionOptions {
   /// Fill `Extraction::domains`. All pages of the table and the curve are certified then.
   bool domains = false;
   /// Bisections that one tet of the input may ask for before it is reported as unresolved.
-  std::uint32_t max_bisections = 4096;
+  std::uint32_t max_bisections = 1024;
   /// 0: all cores.
   unsigned threads = 0;
   ProgressCallback progress;

@@ -34,7 +34,7 @@ struct RefineOptions {
   FeatureTable table;
   FeatureSet features = kStandardSet;  ///< rows of the table
   /// Bisections that one tet of the input may ask for.
-  std::uint32_t max_bisections = 4096;
+  std::uint32_t max_bisections = 1024;
   /// Opposite sides that are one: they are refined alike.
   PeriodicAxes periodic{};
   /// No further round starts with more tets than this; bounds memory.
