@@ -86,13 +86,6 @@ bool scale_to_sum_one(std::array<double, N>& w) {
   return std::ranges::all_of(w, [](double x) { return x > kNearZero; });
 }
 
-template <std::size_t N>
-bool are_proportional(const std::array<Exact, N>& a, const std::array<Exact, N>& b) {
-  for (std::size_t i = 1; i < N; ++i)
-    if (a[0] * b[i] != a[i] * b[0]) return false;
-  return true;
-}
-
 template <int N>
 class Search {
  public:
@@ -125,7 +118,7 @@ class Search {
     if (!scale_to_sum_one(w) || !are_near_zero(gradient_of_p(forms_, w), p_size_)) return;
     const Forms<Exact, N>& f = exact_forms();
     ExactWeights<N> x = kernel_of_p(f, column);
-    if (make_positive(x)) add(x);
+    if (make_positive(x)) add(x, gradient_of_p(f, x), w, false);
   }
   void try_q(std::size_t k, std::size_t l) {
     Approximate w = zero_of_entries(approximate_, k, l);
@@ -133,11 +126,23 @@ class Search {
     const Forms<Exact, N>& f = exact_forms();
     if (std::ranges::all_of(f.q, [](const Exact& q) { return q.is_zero(); })) return;
     ExactWeights<N> x = zero_of_entries(*exact_, k, l);
-    if (make_positive(x)) add(x);
+    if (make_positive(x)) add(x, gradient_of_q(f, x), w, N == 2 && k != l);
   }
-  void add(const ExactWeights<N>& x) {
-    if (std::ranges::any_of(found_, [&](const auto& y) { return are_proportional(x, y); })) return;
+  /// Of several points that differ by roundings one is kept: an exact one if there is any.
+  void add(const ExactWeights<N>& x, const ExactWeights<N>& gradient, const Approximate& w,
+           bool is_middle) {
+    const bool is_exact = std::ranges::all_of(gradient, &Exact::is_zero);
+    if (!is_exact && !is_middle) return;
+    for (std::size_t n = 0; n < found_.size(); ++n) {
+      double distance = 0;
+      for (std::size_t i = 0; i < w.size(); ++i)
+        distance = std::fmax(distance, std::fabs(w[i] - places_[n][i]));
+      if (distance > kNearZero) continue;
+      if (is_exact) found_[n] = x;
+      return;
+    }
     found_.push_back(x);
+    places_.push_back(w);
   }
   const Forms<Exact, N>& exact_forms() {
     if (!exact_) {
@@ -154,6 +159,7 @@ class Search {
   std::optional<Tensors<Exact, N>> exact_;
   Forms<Exact, N> exact_forms_;
   std::vector<ExactWeights<N>> found_;
+  std::vector<Approximate> places_;
 };
 
 /// The determinant of the second derivatives along the edges from vertex 0, polarised, is negative

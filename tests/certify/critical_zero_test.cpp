@@ -84,7 +84,7 @@ TEST(CriticalZero, GenericFacesHaveNone) {
 
 TEST(CriticalZero, OnAnEdgeLiesBetweenTwoZerosThatAgreeUpToRounding) {
   std::array<Tensor<double>, 4> tensors{};
-  for (auto& t : tensors) t = {0, 1, 0, 1, 0, 1, 1, 1, 0};
+  for (auto& t : tensors) t = {0, 0, 1, 1, 0, 1, 1, 1, 0};
   tensors[0][3] = -1, tensors[1][3] = 3;
   tensors[0][7] = -1 - 0x1p-52, tensors[1][7] = 3;
   const TensorField input = on_one_tet(tensors);

@@ -228,7 +228,7 @@ TEST(NodeStars, TheTracelessSurfaceOfAFieldWithoutTrace) {
       for (const std::size_t k : {0u, 4u, 8u}) t[k] += 4;
       ASSERT_EQ(t[0] + t[4] + t[8], 0);
     }
-    ExtractionOptions options = degenerate_only(100);
+    ExtractionOptions options = degenerate_only(1000);
     const Extraction alone = extract(field, options);
     with_star += alone.certificates.radial > 0;
     options.features |= bit(options.table.add_traceless());

@@ -19,10 +19,10 @@ namespace triplex {
 template <int N>
 using ExactWeights = std::array<Exact, N>;
 
-/// Points that look like critical zeros of q at which two entries of the deviator vanish (on an
-/// edge perhaps one, or the middle between two that vanish up to rounding at the same place), or
-/// like one of p. That they are is not certified: a vertex too many does no harm. N = 2, 3. Source:
-/// proofs/critical_zero.md.
+/// The critical zeros of q at which two entries of the deviator vanish (on an edge perhaps one),
+/// and that of p, where it is in the kernel of the form; on an edge also the middle between the
+/// zeros of two entries that agree up to rounding. Guarantee: but for such middles all are exact;
+/// others may exist. N = 2, 3. Source: proofs/critical_zero.md.
 template <int N>
 std::vector<ExactWeights<N>> critical_zeros(const Simplex<N>& simplex);
 
