@@ -88,9 +88,8 @@ TensorField generate_lorenz(const GridOptions& options, const LorenzParameters& 
 }
 
 Tensor<double> abc_gradient(const Point& x, const AbcParameters& f) {
-  const auto [sx, cx] = sine_cosine_pi(x[0] / kPi);
-  const auto [sy, cy] = sine_cosine_pi(x[1] / kPi);
-  const auto [sz, cz] = sine_cosine_pi(x[2] / kPi);
+  const double sx = std::sin(x[0]), sy = std::sin(x[1]), sz = std::sin(x[2]);
+  const double cx = std::cos(x[0]), cy = std::cos(x[1]), cz = std::cos(x[2]);
   return {0, -f.c * sy, f.a * cz, f.b * cx, 0, -f.a * sz, -f.b * sx, f.c * cy, 0};
 }
 

@@ -11,16 +11,12 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "tensor_bounds.hpp"
+
 #include "triplex/arithmetic/interval.hpp"
 
 namespace triplex {
 namespace {
-
-double largest_entry(const Tensor<double>& t) {
-  double m = 0;
-  for (const double x : t) m = std::max(m, std::fabs(x));
-  return m;
-}
 
 /// The exponent that brings the largest entry of the field into [1/2, 1); 0 for a zero field.
 int common_scale(const std::vector<Tensor<double>>& tensors) {
@@ -29,26 +25,6 @@ int common_scale(const std::vector<Tensor<double>>& tensors) {
   int exponent = 0;
   if (m > 0) std::frexp(m, &exponent);
   return -exponent;
-}
-
-/// What scaling down may lose: one rounding below the smallest normal double, tripled and summed.
-constexpr double kUnderflow = 0x1p-1070;
-
-/// numerator / 2^depth
-struct Dyadic {
-  std::uint64_t numerator;
-  int depth;
-};
-
-/// \pre inside (0, 1) and a multiple of 2^-kMaxDepth.
-Dyadic dyadic(double x) {
-  Dyadic r{static_cast<std::uint64_t>(std::ldexp(x, RefinableField::kMaxDepth)),
-           RefinableField::kMaxDepth};
-  while (r.numerator % 2 == 0) {
-    r.numerator /= 2;
-    r.depth -= 1;
-  }
-  return r;
 }
 
 /// With A' the exact result and M its largest entry, t_xx - t_yy = (A'_xx - A'_yy) / 3 is below 2 M
@@ -105,45 +81,6 @@ RefinableField::RefinableField(const TensorField& field)
       approximations_[v] = approximate_input(field.tensors[input_of_[v]], scale_exponent_);
   });
   find_mirror_planes();
-}
-
-void RefinableField::find_mirror_planes() {
-  std::vector<std::uint8_t> axes(input_of_.size());
-  tbb::parallel_for(std::size_t{0}, axes.size(), [&](std::size_t v) {
-    const unsigned zero = zero_couplings(VertexId(v));
-    axes[v] = static_cast<std::uint8_t>(zero & zero >> 3);
-  });
-  if (std::ranges::count(axes, 0) == std::ranges::ssize(axes)) return;
-  for (const auto& tet : input_tets_)
-    for (std::size_t omit = 0; omit < 4; ++omit) {
-      unsigned common = 0b111;
-      std::array<VertexId, 3> face;
-      for (std::size_t i = 0, n = 0; i < 4; ++i)
-        if (i != omit) common &= axes[index(face[n++] = tet[i])];
-      if (common == 0) continue;
-      std::ranges::sort(face);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        if (common >> axis & 1u)
-          for (const auto& [i, j] : {std::array{0, 1}, {0, 2}, {1, 2}})
-            mirror_edges_[axis].push_back({face[i], face[j]});
-    }
-  for (auto& edges : mirror_edges_) {
-    std::ranges::sort(edges);
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  }
-}
-
-bool RefinableField::is_in_mirror_plane(std::span<const VertexId> simplex, int axis) const {
-  std::vector<VertexId> carrier;
-  for (const VertexId v : simplex)
-    for (const VertexId corner : corners(v)) carrier.push_back(corner);
-  std::ranges::sort(carrier);
-  carrier.erase(std::unique(carrier.begin(), carrier.end()), carrier.end());
-  if (carrier.size() < 2) return false;
-  for (std::size_t i = 0; i + 1 < carrier.size(); ++i)
-    if (!std::ranges::binary_search(mirror_edges_[axis], std::array{carrier[i], carrier[i + 1]}))
-      return false;
-  return true;
 }
 
 std::vector<VertexId> RefinableField::vertices_of_input() const {
@@ -226,236 +163,6 @@ ApproximateTensor RefinableField::combine_tensor(VertexId v) const {
   }
   r.bounds.magnitude = largest_entry(r.a);
   return r;
-}
-
-/// Off the centre by `radius` in each weight and by 2^-50 as the sum of the weights is one up to
-/// rounding: as much times the largest entry, four times. Else as in `add_midpoint`.
-ApproximateTensor RefinableField::combine_enclosed(const Enclosed& e, bool with_trace) const {
-  ApproximateTensor r{};
-  double largest = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const ApproximateTensor corner =
-        with_trace ? combine_tensor(e.vertices[i]) : approximations_[index(e.vertices[i])];
-    for (std::size_t k = 0; k < 9; ++k) r.a[k] += e.weights[i] * corner.a[k];
-    largest = std::fmax(largest, corner.bounds.magnitude);
-    r.bounds.error =
-        std::fmax(r.bounds.error, corner.bounds.error + gamma(5) * corner.bounds.magnitude);
-  }
-  r.bounds.error += 4 * (e.radius + 0x1p-50) * largest * (1 + 0x1p-20);
-  r.bounds.magnitude = largest_entry(r.a);
-  return r;
-}
-
-/// Lower ends of enclosures one rounding wide, divided: off by three times 2^-52 at most.
-[[gnu::noinline]] std::array<double, 4> RefinableField::Rational::weights_approx() const {
-  const IntervalRounding protect;
-  const double whole = CGAL::to_interval(denominator).first;
-  std::array<double, 4> w;
-  for (std::size_t i = 0; i < 4; ++i) w[i] = CGAL::to_interval(numerators[i]).first / whole;
-  return w;
-}
-
-/// The weights are off by kWeightError of themselves at most and sum to one; else as in
-/// `add_midpoint`.
-ApproximateTensor RefinableField::combine_rational(const Rational& r, bool with_trace) const {
-  ApproximateTensor t{};
-  const auto weights = r.weights_approx();
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (r.numerators[i].is_zero()) continue;
-    const ApproximateTensor corner =
-        with_trace ? combine_tensor(r.vertices[i]) : approximations_[index(r.vertices[i])];
-    for (std::size_t k = 0; k < 9; ++k) t.a[k] += weights[i] * corner.a[k];
-    t.bounds.error = std::fmax(t.bounds.error, corner.bounds.error + (gamma(5) + 2 * kWeightError) *
-                                                                         corner.bounds.magnitude);
-  }
-  t.bounds.magnitude = largest_entry(t.a);
-  return t;
-}
-
-VertexId RefinableField::add_rational(const std::array<VertexId, 4>& tet,
-                                      const std::array<Exact, 4>& weights) {
-  Rational r{tet, weights, Exact(0), 0};
-  for (const Exact& n : weights) r.denominator = r.denominator + n;
-  return add(std::move(r));
-}
-
-/// Brings the denominator into [1, 2), by a power of two.
-VertexId RefinableField::add(Rational r) {
-  Exact factor(std::ldexp(1.0, -std::ilogb(CGAL::to_double(r.denominator))));
-  if (sign(r.denominator * factor - Exact(1)) == Sign::Negative) factor = factor * Exact(2);
-  r.denominator = r.denominator * factor;
-  for (Exact& n : r.numerators) n = n * factor;
-  const auto v = static_cast<VertexId>(approximations_.size());
-  if (rational_.empty()) rational_from_ = index(v);
-  midpoints_.emplace_back();
-  approximations_.push_back(combine_rational(r, false));
-  if (!tensors_.empty()) tensors_.push_back(combine_rational(r, true));
-  rational_.emplace(v, std::move(r));
-  return v;
-}
-
-std::array<Exact, 4> RefinableField::exact_weights(VertexId v,
-                                                   const std::array<VertexId, 4>& tet) const {
-  std::array<Exact, 4> w;
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (!is_rational(v)) {
-      w[i] = Exact(weight(v, tet[i]));
-      continue;
-    }
-    const Rational& r = rational_.at(v);
-    for (std::size_t k = 0; k < 4; ++k)
-      if (r.vertices[k] == tet[i]) w[i] = w[i] + r.numerators[k];
-  }
-  return w;
-}
-
-Exact RefinableField::denominator(VertexId v) const {
-  return is_rational(v) ? rational_.at(v).denominator : Exact(1);
-}
-
-/// (1 - at) n_a / N_a + at n_b / N_b, over N_a N_b or over their common value: the denominators are
-/// those of few points.
-std::optional<VertexId> RefinableField::add_rational_between(VertexId a, VertexId b, double at) {
-  if (!is_rational(a)) {
-    std::swap(a, b);
-    at = 1 - at;
-  }
-  Rational middle = rational_.at(a);
-  if (is_rational(b)) middle.depth = std::max(middle.depth, rational_.at(b).depth);
-  middle.depth += dyadic(at).depth;
-  if (middle.depth > kMaxDepth) return std::nullopt;
-  const Exact own = denominator(a), other = denominator(b);
-  const bool same = own == other;
-  for (Exact& n : middle.numerators) n = n * Exact(1 - at) * (same ? Exact(1) : other);
-  middle.denominator = same ? own : own * other;
-  for (const VertexId corner : corners(b)) {
-    auto slot = std::ranges::find(middle.vertices, corner);
-    if (slot == middle.vertices.end()) {
-      const auto unused = std::ranges::find_if(middle.numerators, &Exact::is_zero);
-      slot = middle.vertices.begin() + (unused - middle.numerators.begin());
-      *slot = corner;
-    }
-    Exact& sum = middle.numerators[static_cast<std::size_t>(slot - middle.vertices.begin())];
-    const Exact n = exact_weights(b, {corner, corner, corner, corner})[0];
-    sum = sum + n * Exact(at) * (same ? Exact(1) : own);
-  }
-  return add(std::move(middle));
-}
-
-VertexId RefinableField::add_node(const std::array<VertexId, 4>& tet,
-                                  const std::array<double, 4>& centre, double radius,
-                                  const std::array<ExactRange, 4>& weights) {
-  const auto v = static_cast<VertexId>(approximations_.size());
-  Tensor<ExactRange>& tensor = node_tensors_[v];
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Tensor<Exact> corner = exact(tet[i]);
-    for (std::size_t k = 0; k < 9; ++k) tensor[k] = tensor[k] + weights[i] * corner[k];
-  }
-  Enclosed e{.vertices = tet, .weights = centre, .radius = radius};
-  e.node = v;
-  return add(e);
-}
-
-VertexId RefinableField::add_node(const std::array<VertexId, 4>& tet,
-                                  const std::array<double, 4>& centre, double radius) {
-  std::array<ExactRange, 4> weights;
-  for (std::size_t i = 0; i < 4; ++i)
-    weights[i] = ExactRange(centre[i]) + ExactRange(Exact(-radius), Exact(radius));
-  return add_node(tet, centre, radius, weights);
-}
-
-Tensor<ExactRange> RefinableField::enclosure(VertexId v) const {
-  Tensor<ExactRange> sum;
-  if (!is_enclosed(v)) {
-    const Tensor<Exact> point = exact(v);
-    for (std::size_t k = 0; k < 9; ++k) sum[k] = point[k];
-    return sum;
-  }
-  const Enclosed& e = enclosed_.at(v);
-  const auto add_multiple = [&](std::uint64_t n, const auto& tensor) {
-    if (n == 0) return;
-    constexpr int kHalf = 32;  // a double holds half of the bits exactly
-    const Exact weight = (Exact(static_cast<double>(n >> kHalf)) * Exact(0x1p32) +
-                          Exact(static_cast<double>(n & 0xffffffffu))) *
-                         Exact(std::ldexp(1.0, -e.depth));
-    for (std::size_t k = 0; k < 9; ++k) sum[k] = sum[k] + ExactRange(weight) * tensor[k];
-  };
-  add_multiple(e.of_node, node_tensors_.at(e.node));
-  for (std::size_t i = 0; i < 4; ++i)
-    if (e.of_vertices[i] != 0) add_multiple(e.of_vertices[i], exact(e.vertices[i]));
-  return sum;
-}
-
-/// The mean of two weights is rounded once, by 2^-53 at most.
-std::optional<VertexId> RefinableField::add_enclosed_midpoint(VertexId a, VertexId b) {
-  if (!is_enclosed(a)) std::swap(a, b);
-  Enclosed middle = enclosed_.at(a);
-  const bool both = is_enclosed(b);
-  Enclosed other = both ? enclosed_.at(b) : Enclosed{.vertices = middle.vertices, .of_node = 0};
-  if (!both) {
-    if (is_rational(b))
-      throw std::logic_error("an edge between an enclosed vertex and a rational one");
-    const Combination c = combination(b);
-    other.depth = c.depth;
-    for (std::size_t i = 0; i < 4; ++i) {
-      other.weights[i] = weight(b, middle.vertices[i]);
-      for (std::size_t k = 0; k < 4; ++k)
-        if (c.numerators[k] != 0 && c.vertices[k] == middle.vertices[i])
-          other.of_vertices[i] = c.numerators[k];
-    }
-  } else if (other.node != middle.node) {
-    throw std::logic_error("an edge between two nodes");
-  }
-  const int depth = std::max(middle.depth, other.depth) + 1;
-  if (depth > kMaxEnclosedDepth) return std::nullopt;
-  const auto mean = [&](std::uint64_t n, std::uint64_t m) {
-    return (n << (depth - 1 - middle.depth)) + (m << (depth - 1 - other.depth));
-  };
-  double length = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    length = std::fmax(length, std::fabs(middle.weights[i] - other.weights[i]));
-    middle.weights[i] = (middle.weights[i] + other.weights[i]) / 2;
-    middle.of_vertices[i] = mean(middle.of_vertices[i], other.of_vertices[i]);
-  }
-  middle.of_node = mean(middle.of_node, other.of_node);
-  middle.depth = depth;
-  middle.radius = (middle.radius + other.radius) / 2 * (1 + 0x1p-20) + 0x1p-52;
-  constexpr double kLeastLength = 64;  // radii: what is shorter could not be certified anyway
-  if (!(length > kLeastLength * middle.radius)) return std::nullopt;
-  return add(middle);
-}
-
-VertexId RefinableField::add(const Enclosed& e) {
-  const auto v = static_cast<VertexId>(approximations_.size());
-  if (enclosed_.empty()) enclosed_from_ = index(v);
-  midpoints_.emplace_back();
-  approximations_.push_back(combine_enclosed(e, false));
-  enclosed_.emplace(v, e);
-  if (!tensors_.empty()) tensors_.push_back(combine_enclosed(e, true));
-  return v;
-}
-
-unsigned RefinableField::zero_couplings(VertexId v) const {
-  if (is_enclosed(v)) return 0;
-  const auto zero_at = [&](VertexId corner) {
-    unsigned zero = 0b111111;
-    const Tensor<double>& t = field_->tensors[input_of_[index(corner)]];
-    for (std::size_t k = 0; k < 3; ++k)
-      for (const std::size_t other : {(k + 1) % 3, (k + 2) % 3}) {
-        if (t[3 * other + k] != 0) zero &= ~(1u << k);
-        if (t[3 * k + other] != 0) zero &= ~(8u << k);
-      }
-    return zero;
-  };
-  unsigned zero = 0b111111;
-  if (is_rational(v)) {
-    for (const VertexId corner : corners(v)) zero &= zero_at(corner);
-    return zero;
-  }
-  const Combination c = combination(v);
-  for (std::size_t i = 0; i < 4 && zero != 0; ++i)
-    if (c.numerators[i] != 0) zero &= zero_at(c.vertices[i]);
-  return zero;
 }
 
 double RefinableField::weight(VertexId v, VertexId corner) const {

@@ -21,7 +21,7 @@ TEST_P(CertifiedLeavesOfFiles, AgreeWithExactSigns) {
   const TensorField field = read_field(std::string(TRIPLEX_DATA_DIR) + "/" + GetParam() + ".vtu",
                                        {.tensor_name = "tensor"});
   RefineOptions options;
-  options.max_bisections = ExtractionOptions{}.max_bisections;
+  options.max_bisections = 256;
   const RefinedComplex complex = refine(field, options);
   const test::LeafAudit audit = test::audit_leaves(complex);
   std::cout << GetParam() << ", " << complex.leaves.size() << " leaves: " << audit << "\n";

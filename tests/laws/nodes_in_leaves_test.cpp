@@ -48,7 +48,7 @@ void count_nodes_in_leaves(const TensorField& field, Count& count) {
   unrefined.max_bisections = 0;
   const std::vector<Node> nodes = extract(field, unrefined).nodes;
   RefineOptions options;
-  options.max_bisections = ExtractionOptions{}.max_bisections;
+  options.max_bisections = 256;
   const RefinedComplex complex = refine(field, options);
   for (const NodeVertex& node : complex.nodes) count.planted += node.planted;
   for (const Node& node : nodes) {

@@ -108,12 +108,14 @@ constexpr std::array kBits = {20, 25, 30, 35, 40};
 void compare_all(const TensorField& field, bool labels_only, std::vector<Agreement>& agreements) {
   RefineOptions unrefined;
   unrefined.max_bisections = 0;
-  const Extraction result = labels_only ? Extraction{} : extract(field);
+  ExtractionOptions budget;
+  budget.max_bisections = 256;
+  const Extraction result = labels_only ? Extraction{} : extract(field, budget);
   const RefinedComplex labels = refine(field, unrefined);
   for (std::size_t n = 0; n < kBits.size(); ++n) {
     const TensorField other = shifted(field, kBits[n]);
     if (!labels_only)
-      compare_features(result, extract(other), has_special_places(labels), agreements[n]);
+      compare_features(result, extract(other, budget), has_special_places(labels), agreements[n]);
     compare_labels(labels, refine(other, unrefined), agreements[n]);
   }
 }

@@ -22,8 +22,6 @@ Tensor<double> lorenz_gradient(const Point& x, const LorenzParameters& parameter
 TensorField generate_lorenz(const GridOptions& options, const LorenzParameters& parameters = {});
 
 /// The Arnold-Beltrami-Childress flow (A sin z + C cos y, B sin x + A cos z, C sin y + B cos x).
-/// Sines and cosines are exactly 0, 1 or -1 at multiples of the double nearest to pi, halved, so
-/// that the flow's planes of symmetry through vertices are exact.
 struct AbcParameters {
   double a = 1;
   double b = 0.816496580927726;   ///< sqrt(2/3)
