@@ -115,7 +115,7 @@ std::map<std::int64_t, SurfaceTopology> surface_by_tet(const TensorField& field,
 /// Smooth enough that most tets are certified, with four nodes on each degenerate surface.
 TensorField field_with_nodes() {
   GridOptions grid;
-  grid.n = 9;  // no faces on the planes of symmetry
+  grid.n = 8;
   grid.jitter = 0.2;
   return generate_abc(grid);
 }

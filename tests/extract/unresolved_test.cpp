@@ -220,8 +220,7 @@ TEST(SpineAccuracy, IsOfRoundingSizeOnKnownFields) {
     for (const TensorField& field : {generate_lorenz(grid), generate_abc(grid)}) {
       const Extraction result = extract(field);
       EXPECT_GT(result.spine_accuracy.proven, 100u);
-      // Where the curve touches a plane of symmetry it is known to the root of a rounding.
-      EXPECT_LT(result.spine_accuracy.coordinate_error, n == 9 ? 0x1p-48 : 0x1p-24);
+      EXPECT_LT(result.spine_accuracy.coordinate_error, 0x1p-48);
       EXPECT_LT(result.spine_accuracy.error, 1e-12);
       const FeatureMesh& curve = result.mesh(Feature::TripleCurve);
       for (std::size_t s = 0; s < curve.segments.size(); ++s) {

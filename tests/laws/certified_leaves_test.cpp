@@ -57,6 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
 struct DegenerateFamily {
   const char* name;
   TensorField (*make)(test::Random& random, int n, CellSplit split);
+  int fields = 24;
 };
 std::ostream& operator<<(std::ostream& out, const DegenerateFamily& family) {
   return out << family.name;
@@ -67,7 +68,7 @@ class CertifiedLeavesOnTies : public testing::TestWithParam<DegenerateFamily> {}
 TEST_P(CertifiedLeavesOnTies, AgreeWithExactSigns) {
   test::Random random(12);
   std::size_t ties = 0, claims = 0;
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < GetParam().fields; ++i) {
     const CellSplit split = i % 2 == 0 ? CellSplit::Six : CellSplit::Five;
     const test::LeafAudit audit =
         test::audit_leaves(refined(GetParam().make(random, 1 + i % 2, split), 16));
@@ -79,7 +80,7 @@ TEST_P(CertifiedLeavesOnTies, AgreeWithExactSigns) {
   }
   // Tensors of convection are block triangular throughout: nothing is claimed of T + eps B.
   if (std::string_view(GetParam().name) == "convection") return;
-  EXPECT_GT(ties, 30u);
+  EXPECT_GT(ties, 100u);
   EXPECT_GT(claims, 300u);
 }
 
@@ -93,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
                     DegenerateFamily{"small linear", test::small_linear},
                     DegenerateFamily{"mirrored", test::mirrored},
                     DegenerateFamily{"degenerate centre", test::degenerate_centre},
-                    DegenerateFamily{"lorenz", test::lorenz},
+                    DegenerateFamily{"lorenz", test::lorenz, 32},
                     DegenerateFamily{"convection", test::convection}));
 
 /// Fewer features need fewer certificates, and what is left must carry the claims alone.

@@ -159,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Family{"small linear", test::small_linear, 60, 2, 120},
                     Family{"mirrored", test::mirrored, 20, 2, 1},
                     Family{"degenerate centre", test::degenerate_centre, 20, 2, 1},
-                    Family{"lorenz", test::lorenz, 8, 4, 30},
+                    Family{"lorenz", test::lorenz, 12, 4, 40},
                     Family{"convection", test::convection, 2, 2, 0}));
 
 }  // namespace
