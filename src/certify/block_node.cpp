@@ -4,20 +4,10 @@
 
 #include <algorithm>
 
+#include "block_entries.hpp"
+
 namespace triplex {
 namespace {
-
-/// The entries of the block beside an axis, and of the two couplings.
-struct BlockEntries {
-  std::size_t ii, ij, ji, jj, kk;
-  std::array<std::size_t, 2> column, row;
-  explicit BlockEntries(std::size_t k) {
-    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    ii = 4 * i, jj = 4 * j, kk = 4 * k, ij = 3 * i + j, ji = 3 * j + i;
-    column = {3 * i + k, 3 * j + k};
-    row = {3 * k + i, 3 * k + j};
-  }
-};
 
 enum class Form { Chi, First, Second };
 
@@ -41,12 +31,8 @@ NT coefficient(const Tensor<NT>& a, const Tensor<NT>& b, const BlockEntries& n, 
   };
   return half(a, b) + half(b, a);
 }
-/// |coefficient| <= 2 (4 + 1) M^2 for entries up to M; errors e change it by 2 (4 + 1) ((M + e)^2 -
-/// M^2), and at most 5 roundings fall on one term.
-double coefficient_error(const EntryBounds& b) {
-  return (1 + 0x1p-20) *
-         (10 * b.error * (2 * b.magnitude + b.error) + gamma(5) * 10 * b.magnitude * b.magnitude);
-}
+/// Twice: a product of two differences, and one of two entries.
+double coefficient_error(const EntryBounds& b) { return quadratic_form_error(b, 10); }
 
 /// The part of a simplex without its declared node, if a vertex is one: there all forms vanish.
 template <class NT, int N>
@@ -66,7 +52,7 @@ struct BesideNode {
     }
     return true;
   }
-  bool excludes_node(std::size_t axis, bool column, bool row) const {
+  bool excludes_node(int axis, bool column, bool row) const {
     const BlockEntries n(axis);
     if (has_one_sign(n, Form::Chi, true)) return true;
     if (column && row) return false;
@@ -146,7 +132,7 @@ template <int N>
 std::vector<ExactWeights<N>> rational_block_nodes(const Simplex<N>& simplex) {
   std::vector<ExactWeights<N>> found;
   const auto a = simplex.exact_tensors();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3; ++axis) {
     const BlockEntries n(axis);
     const auto ends = uncoupled_segment(a, n);
     if (ends.size() != 2) continue;
@@ -172,19 +158,12 @@ template std::vector<ExactWeights<3>> rational_block_nodes<3>(const Simplex<3>&)
 template <int N>
 bool excludes_block_node(const Simplex<N>& simplex, SignStages& stages) {
   const RefinableField& field = simplex.field();
-  const auto axis = static_cast<std::size_t>(simplex.block_axis());
+  const int axis = simplex.block_axis();
   unsigned zero = 0b111111;
   for (const VertexId v : simplex.vertices()) zero &= field.zero_couplings(v);
   const bool column = zero >> axis & 1u, row = zero >> (3 + axis) & 1u;
-  if (column && row && field.is_in_mirror_plane(simplex.vertices(), static_cast<int>(axis)))
-    return true;
-  std::array<Tensor<double>, N> a;
-  EntryBounds bounds;
-  for (int i = 0; i < N; ++i) {
-    const ApproximateTensor& v = field.approximate(simplex.vertices()[i]);
-    a[i] = v.a;
-    bounds.include(v.bounds);
-  }
+  if (column && row && field.is_in_mirror_plane(simplex.vertices(), axis)) return true;
+  const auto [a, bounds] = approximate_tensors(simplex);
   const int node = simplex.node_vertex();
   stages.count(Stage::Filter);
   const double error = coefficient_error(bounds);

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <bit>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "block.hpp"
+#include "block_entries.hpp"
 #include "error_bounds.hpp"
 #include "falling_quotient.hpp"
 #include "sign_changes.hpp"
@@ -18,41 +18,14 @@
 namespace triplex {
 namespace {
 
-/// The entries of the 2 x 2 block beside an axis.
-struct InPlane {
-  std::size_t ii, ij, ji, jj;
-  explicit InPlane(int axis) {
-    const auto i = static_cast<std::size_t>((axis + 1) % 3);
-    const auto j = static_cast<std::size_t>((axis + 2) % 3);
-    ii = 4 * i, jj = 4 * j, ij = 3 * i + j, ji = 3 * j + i;
-  }
-};
-
 /// Bernstein coefficient of disc(M) = (m_ii - m_jj)^2 + 4 m_ij m_ji for two vertices.
 template <class NT>
-NT discriminant_of_block(const Tensor<NT>& a, const Tensor<NT>& b, const InPlane& m) {
+NT discriminant_of_block(const Tensor<NT>& a, const Tensor<NT>& b, const BlockEntries& m) {
   return (a[m.ii] - a[m.jj]) * (b[m.ii] - b[m.jj]) +
          NT(2) * (a[m.ij] * b[m.ji] + a[m.ji] * b[m.ij]);
 }
-/// |coefficient| <= 4 M^2 + 4 M^2 for entries up to M; they change it by 8 ((M + e)^2 - M^2), and
-/// at most 5 roundings fall on one term.
-double discriminant_error(const EntryBounds& b) {
-  return (1 + 0x1p-20) *
-         (8 * b.error * (2 * b.magnitude + b.error) + gamma(5) * 8 * b.magnitude * b.magnitude);
-}
-
-template <int N>
-std::pair<std::array<Tensor<double>, N>, EntryBounds> approximate_tensors(
-    const Simplex<N>& simplex) {
-  std::array<Tensor<double>, N> a;
-  EntryBounds bounds;
-  for (int i = 0; i < N; ++i) {
-    const ApproximateTensor& v = simplex.field().approximate(simplex.vertices()[i]);
-    a[i] = v.a;
-    bounds.include(v.bounds);
-  }
-  return {a, bounds};
-}
+/// Four products of two differences' parts, and twice two products.
+double discriminant_error(const EntryBounds& b) { return quadratic_form_error(b, 8); }
 
 /// The label of a vertex speaks of T itself: D is not zero there, or the vertex is a declared node.
 bool is_labelled_for_field(const RefinableField& field, VertexId v) {
@@ -82,7 +55,8 @@ bool touches_in_isolated_points(const Simplex<N>& simplex) {
 
 /// At most one sign change of the layers, for some way to split the vertices in two.
 template <class NT, int N>
-Verdict one_root_per_segment(const std::array<Tensor<NT>, N>& a, const InPlane& m, double error) {
+Verdict one_root_per_segment(const std::array<Tensor<NT>, N>& a, const BlockEntries& m,
+                             double error) {
   CoefficientSigns<N, 2> signs;
   for (int n = 0; n < kPairs<N>; ++n) {
     const auto [i, j] = pairs<N>()[n];
@@ -96,7 +70,7 @@ Verdict one_root_per_segment(const std::array<Tensor<NT>, N>& a, const InPlane& 
 template <int N>
 bool certifies_block(const Simplex<N>& simplex, SignStages& stages) {
   if (!touches_in_isolated_points(simplex) || !excludes_block_node(simplex, stages)) return false;
-  const InPlane m(simplex.block_axis());
+  const BlockEntries m(simplex.block_axis());
   const auto [a, bounds] = approximate_tensors(simplex);
   if (bounds.usable()) {
     const Verdict verdict = one_root_per_segment<double, N>(a, m, discriminant_error(bounds));
@@ -207,7 +181,7 @@ LayerSign sign_on(const BlockFace& face, const std::array<Tensor<NT>, N>& a, dou
   LayerSign all;
   for (const auto& [i, j] : pairs<N>())
     if ((face.vertices >> i & 1u) && (face.vertices >> j & 1u))
-      all.add(certainty(discriminant_of_block(a[i], a[j], InPlane(face.axis)), error));
+      all.add(certainty(discriminant_of_block(a[i], a[j], BlockEntries(face.axis)), error));
   return all;
 }
 

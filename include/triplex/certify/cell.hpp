@@ -39,9 +39,8 @@ struct CellCertificate {
   FeatureSet open = 0;   ///< requested features not proven
   bool has_spine_proof = false;
   Obstacle obstacle = Obstacle::None;
-  std::array<VertexId, 2>
-      edge{};            ///< the edge to bisect, if `obstacle` is neither None nor at a vertex
-  double variation = 0;  ///< of that edge; orders the bisections
+  std::array<VertexId, 2> edge{};  ///< to bisect, if `obstacle` is neither None nor at a vertex
+  double variation = 0;            ///< of that edge; orders the bisections
 
   bool complete() const { return open == 0; }
 };

@@ -90,9 +90,9 @@ class Simplex {
     if (field.has_rational_vertices()) clear_denominators();
     std::array<Tensor<double>, N> a;
     for (int i = 0; i < N; ++i) {
-      const ApproximateTensor v = scaled_tensor(i);
-      a[i] = v.a;
-      entries_.include(v.bounds);
+      const ApproximateTensor& v = field.approximate(vertices[i]);
+      a[i] = scaled(v.a);
+      entries_.include(scaled(v.bounds));
     }
     approximate_ = forms_of<double, N>(a);
     set_bounds();
@@ -111,7 +111,7 @@ class Simplex {
     }
     for (int i = 0; i < N; ++i) {
       vertices_[i] = parent.vertices()[local[i]];
-      entries_.include(scaled_tensor(i).bounds);
+      entries_.include(scaled(field_->approximate(vertices_[i]).bounds));
     }
     set_bounds();
   }
@@ -187,15 +187,17 @@ class Simplex {
     if (!scale.factors.empty())
       scale_ = std::make_shared<const CommonDenominator>(std::move(scale));
   }
+  Tensor<double> scaled(Tensor<double> a) const {
+    if (scale_)
+      for (double& x : a) x *= scale_->product;
+    return a;
+  }
   /// At most four denominators, each rounded by 2^-52, and four products.
-  ApproximateTensor scaled_tensor(int i) const {
-    ApproximateTensor v = field_->approximate(vertices_[i]);
-    if (!scale_) return v;
-    for (double& x : v.a) x *= scale_->product;
-    v.bounds.magnitude *= scale_->product * (1 + 0x1p-49);
-    v.bounds.error =
-        (v.bounds.error * scale_->product + 0x1p-49 * v.bounds.magnitude) * (1 + 0x1p-20);
-    return v;
+  EntryBounds scaled(EntryBounds b) const {
+    if (!scale_) return b;
+    b.magnitude *= scale_->product * (1 + 0x1p-49);
+    b.error = (b.error * scale_->product + 0x1p-49 * b.magnitude) * (1 + 0x1p-20);
+    return b;
   }
 
   /// Errors follow from the entries; magnitudes are those of the coefficients at hand.
@@ -239,9 +241,10 @@ class Simplex {
     if (!interval_) {
       std::array<Tensor<Interval>, N> a;
       for (int i = 0; i < N; ++i) {
-        const ApproximateTensor v = scaled_tensor(i);
-        const Interval error(-v.bounds.error, v.bounds.error);
-        for (int k = 0; k < 9; ++k) a[i][k] = Interval(v.a[k]) + error;
+        const ApproximateTensor& v = field_->approximate(vertices_[i]);
+        const Tensor<double> approximate = scaled(v.a);
+        const double bound = scaled(v.bounds).error;
+        for (int k = 0; k < 9; ++k) a[i][k] = Interval(approximate[k]) + Interval(-bound, bound);
       }
       interval_ = std::make_shared<const Forms<Interval, N>>(forms_of<Interval, N>(a));
     }
