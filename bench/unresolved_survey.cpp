@@ -18,7 +18,6 @@
 
 #include "triplex/extract/extraction.hpp"
 #include "triplex/field/generators.hpp"
-#include "triplex/field/input_check.hpp"
 #include "triplex/io/read_field.hpp"
 
 namespace triplex {
@@ -103,17 +102,6 @@ void print_reasons(const std::vector<std::pair<std::string, Summary>>& rows) {
   }
 }
 
-/// One tet with independent random tensors at its vertices.
-TensorField one_tet(std::uint64_t seed) {
-  GridOptions grid;
-  grid.n = 1;
-  grid.seed = seed;
-  TensorField field = generate_noise(grid);
-  field.mesh.tets.resize(1);
-  remove_unused_points(field);
-  return field;
-}
-
 struct Family {
   std::string name;
   std::uint64_t fields = 1;
@@ -143,7 +131,7 @@ std::vector<Family> families_of(const SurveyOptions& options) {
   std::vector<Family> families;
   for (const std::string& part : options.parts) {
     if (part == "tet") {
-      families.push_back({"random, one tet", options.tet_fields, one_tet});
+      families.push_back({"random, one tet", options.tet_fields, generate_noise_on_tet});
     } else if (part == "cube") {
       families.push_back(
           {"random linear, cube of 6 tets", options.cube_fields, [](std::uint64_t seed) {

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "splitmix64.hpp"
+#include "triplex/field/input_check.hpp"
 
 namespace triplex {
 namespace {
@@ -88,9 +89,9 @@ TensorField generate_lorenz(const GridOptions& options, const LorenzParameters& 
 }
 
 Tensor<double> abc_gradient(const Point& x, const AbcParameters& f) {
-  const double sx = std::sin(x[0]), sy = std::sin(x[1]), sz = std::sin(x[2]);
-  const double cx = std::cos(x[0]), cy = std::cos(x[1]), cz = std::cos(x[2]);
-  return {0, -f.c * sy, f.a * cz, f.b * cx, 0, -f.a * sz, -f.b * sx, f.c * cy, 0};
+  return {0, -f.c * std::sin(x[1]), f.a * std::cos(x[2]),  f.b * std::cos(x[0]),
+          0, -f.a * std::sin(x[2]), -f.b * std::sin(x[0]), f.c * std::cos(x[1]),
+          0};
 }
 
 TensorField generate_abc(const GridOptions& options, const AbcParameters& parameters) {
@@ -179,6 +180,16 @@ TensorField generate_noise(const GridOptions& options) {
     for (double& x : t) x = random.next_signed();
     return t;
   });
+}
+
+TensorField generate_noise_on_tet(std::uint64_t seed) {
+  GridOptions grid;
+  grid.n = 1;
+  grid.seed = seed;
+  TensorField field = generate_noise(grid);
+  field.mesh.tets.resize(1);
+  remove_unused_points(field);
+  return field;
 }
 
 std::span<const GeneratorRow> generator_table() {

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
-#include <unordered_set>
 #include <vector>
 
 #include "triplex/refine/refine.hpp"
@@ -19,27 +17,16 @@ struct ExactPoint {
   std::array<Exact, 3> weights;
 };
 
-/// Finds the points of faces and edges that have to become vertices as no halving leads to them:
-/// critical zeros of p and q (certify/critical_zero), and nodes with exactly known places.
-class ExactPoints {
- public:
-  ExactPoints(const RefinableField& field, FeatureSet features)
-      : field_(field), features_(features) {}
+/// The points of faces and edges of tets of the input that have to become vertices, as no halving
+/// leads to them: critical zeros of p and q (certify/critical_zero) and rational nodes
+/// (certify/block_node). Those that tets share are found from each.
+std::vector<ExactPoint> exact_points_on(const RefinableField& field, std::span<const TetId> tets);
 
-  /// The points on the faces and edges of the given tets of the input, each tet searched once, in
-  /// an order that depends on the geometry only.
-  std::vector<ExactPoint> search(std::span<const TetId> tets);
-
- private:
-  std::vector<ExactPoint> points_of(TetId tet) const;
-
-  const RefinableField& field_;
-  const FeatureSet features_;  // that are requested
-  std::unordered_set<TetId> searched_;
-};
+/// An order that depends on the geometry only; a point that was found twice stands side by side.
+void sort_by_place(std::vector<ExactPoint>& points);
 
 /// The vertices of a leaf that span the smallest face of it that holds the point, as a bit mask;
-/// nothing if the point is not in the leaf.
+/// nothing if the point is not in the leaf. \pre no vertex of the leaf is enclosed.
 std::optional<unsigned> face_with(const RefinableField& field, const Leaf& leaf,
                                   const ExactPoint& point);
 

@@ -41,7 +41,7 @@ std::optional<std::array<VertexId, 2>> edge_of_needle(const RefinableField& fiel
   if (std::ranges::any_of(leaf.vertices, is_enclosed)) return {};
   const Edge edge = longest_edge_approx(field, leaf.vertices);
   const Edge whole = longest_edge_approx(field, field.input_tets()[index(leaf.input)]);
-  // Every bisection halves the volume.
+  // A bisection about halves the volume; this is a choice of edges, not a bound.
   const double usual = whole.squared_length * std::exp2(-2.0 / 3 * leaf.depth);
   if (!(edge.squared_length > kLongest * kLongest * usual)) return {};
   return edge.ends;

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "node_stars.hpp"
 
-#include <CGAL/determinant.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "bisection.hpp"
+#include "cramer.hpp"
 #include "triplex/certify/exclusion.hpp"
 #include "triplex/certify/node.hpp"
 #include "triplex/certify/star.hpp"
@@ -23,32 +23,30 @@ constexpr int kSearchCells = 1000;
 /// waiting, edges at some nodes are halved without end; while waiting, others are.
 constexpr int kPatience = 27;
 
+/// Whether a point lies strictly inside a tet.
 template <class NT>
-using Coordinates = std::array<std::array<NT, 4>, 4>;
-
-template <class NT>
-Certainty sign_of_determinant(const Coordinates<NT>& m) {
-  const NT d =
-      CGAL::determinant(m[0][0], m[0][1], m[0][2], m[0][3], m[1][0], m[1][1], m[1][2], m[1][3],
-                        m[2][0], m[2][1], m[2][2], m[2][3], m[3][0], m[3][1], m[3][2], m[3][3]);
-  return certainty(d, 0);
+Verdict is_inside(const TetCoordinates<NT>& tet, const std::array<NT, 4>& point) {
+  AllPositive all;
+  for (const Certainty c : coordinate_signs(tet, point))
+    if (!all.add(c)) break;
+  return all.verdict();
 }
 
-/// Whether a point lies strictly inside a tet, all by barycentric coordinates in a tet of the
-/// input: its own in the tet are quotients of determinants (Cramer's rule).
-template <class NT>
-Verdict is_inside(const Coordinates<NT>& tet, const std::array<NT, 4>& point) {
-  const Certainty whole = sign_of_determinant(tet);
-  if (whole == Certainty::Unknown) return Verdict::Unknown;
-  Verdict verdict = Verdict::Yes;
+/// A node whose place is a small fraction, exactly, inside a face or an edge.
+std::optional<ExactPoint> point_of(const RefinableField& field, const std::array<VertexId, 4>& tet,
+                                   const IsolatedNode& node) {
+  const auto weights = exact_weights(field, tet, node);
+  const auto used = std::ranges::count_if(weights, [](std::int64_t w) { return w != 0; });
+  if (used != 2 && used != 3) return {};
+  ExactPoint point;
+  std::size_t n = 0;
   for (std::size_t i = 0; i < 4; ++i) {
-    Coordinates<NT> replaced = tet;
-    replaced[i] = point;
-    const Certainty part = sign_of_determinant(replaced);
-    if (part == Certainty::Unknown) verdict = Verdict::Unknown;
-    if (part != whole && part != Certainty::Unknown) return Verdict::No;
+    if (weights[i] == 0) continue;
+    point.carrier[n] = tet[i];
+    point.weights[n++] = Exact(static_cast<double>(weights[i]));
   }
-  return verdict;
+  if (n == 2) point.carrier[2] = point.carrier[1];
+  return point;
 }
 
 }  // namespace
@@ -63,11 +61,9 @@ NodeStars::NodeStars(RefinedComplex& complex, const FeatureTable& table, Feature
       table_(table),
       features_(features & (bit(Feature::DegenerateLinear) | bit(Feature::DegeneratePlanar))) {}
 
-void NodeStars::search(std::vector<TetId> tets, SignStages& stages) {
-  if (features_ == 0) return;
-  std::ranges::sort(tets);
-  tets.erase(std::unique(tets.begin(), tets.end()), tets.end());
-  std::erase_if(tets, [&](TetId t) { return waiting_.contains(t); });
+std::vector<ExactPoint> NodeStars::search(std::span<const TetId> tets, SignStages& stages) {
+  std::vector<ExactPoint> on_faces;
+  if (features_ == 0) return on_faces;
   std::vector<std::array<VertexId, 4>> vertices(tets.size());
   std::vector<TetNodes> found(tets.size());
   tbb::parallel_for(std::size_t{0}, tets.size(), [&](std::size_t n) {
@@ -76,10 +72,13 @@ void NodeStars::search(std::vector<TetId> tets, SignStages& stages) {
     found[n] = isolate_nodes(complex_.field, vertices[n], features_, kSearchCells);
   });
   for (std::size_t n = 0; n < tets.size(); ++n) {
-    auto& waiting = waiting_[tets[n]];
+    std::vector<Waiting>& waiting = waiting_[tets[n]];
     for (const IsolatedNode& node : found[n].nodes) {
       const std::array<Range, 4> x = {node.first, node.box[0], node.box[1], node.box[2]};
-      if (std::ranges::any_of(x, [](const Range& r) { return r.lo <= 0; })) continue;
+      if (std::ranges::any_of(x, [](const Range& r) { return r.lo <= 0; })) {
+        if (auto point = point_of(complex_.field, vertices[n], node)) on_faces.push_back(*point);
+        continue;
+      }
       std::array<double, 4> centre;
       double radius = 0;
       for (std::size_t i = 0; i < 4; ++i) {
@@ -96,12 +95,13 @@ void NodeStars::search(std::vector<TetId> tets, SignStages& stages) {
       waiting.push_back({v, vertices[n], x, weights});
     }
   }
+  return on_faces;
 }
 
 /// In intervals, then exactly but for the width of the enclosure.
 bool NodeStars::holds(const Leaf& leaf, const Waiting& node) const {
   const auto in = [&]<class NT>(const std::array<NT, 4>& point) {
-    Coordinates<NT> tet;
+    TetCoordinates<NT> tet;
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < 4; ++j)
         tet[i][j] = NT(complex_.field.weight(leaf.vertices[i], node.tet[j]));

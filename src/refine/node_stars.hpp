@@ -3,9 +3,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
+#include "exact_points.hpp"
 #include "triplex/certify/node.hpp"
 #include "triplex/refine/refine.hpp"
 
@@ -22,8 +24,10 @@ class NodeStars {
  public:
   NodeStars(RefinedComplex& complex, const FeatureTable& table, FeatureSet features);
 
-  /// Looks for nodes in tets of the input, each once. The vertices are labelled.
-  void search(std::vector<TetId> tets, SignStages& stages);
+  /// Looks for nodes in tets of the input that were not searched before, in ascending order. Those
+  /// inside get vertices, with labels; returns those in faces and edges whose place is known
+  /// exactly.
+  std::vector<ExactPoint> search(std::span<const TetId> tets, SignStages& stages);
   /// The node to be planted in a leaf, if any is ready. Only reads.
   std::optional<VertexId> ready_in(const Leaf& leaf, SignStages& stages) const;
   void mark_planted(VertexId node);
@@ -42,7 +46,7 @@ class NodeStars {
   RefinedComplex& complex_;
   const FeatureTable& table_;
   const FeatureSet features_;  // the degenerate pages among those requested
-  std::unordered_map<TetId, std::vector<Waiting>> waiting_;  // has every tet that was searched
+  std::unordered_map<TetId, std::vector<Waiting>> waiting_;
 };
 
 }  // namespace triplex

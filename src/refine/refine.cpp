@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
+#include <map>
 #include <optional>
+#include <unordered_set>
 
 #include "bisection.hpp"
 #include "exact_points.hpp"
@@ -39,7 +42,6 @@ class Refinement {
         sweeps_((options.features & kStandardSet) != 0 &&
                 options.table.page_count() == kStandardPages),
         complex_(input),
-        exact_points_(complex_.field, options.features),
         stars_(complex_, options.table, options.features),
         spent_(input.mesh.tets.size(), 0) {
     if (level_sets_ != 0) complex_.field.keep_tensors();
@@ -137,7 +139,7 @@ class Refinement {
                         });
       if (options_.progress) options_.progress(progress(end));
     }
-    plant_exact_points();
+    search_lasting();
     plant_nodes();
     return collect_marks();
   }
@@ -191,35 +193,43 @@ class Refinement {
       const Leaf& leaf = complex_.leaves[n];
       if (leaf.open != 0 && spent_[index(leaf.input)] >= kBisectionsBeforeSearch) open.push_back(n);
     }
+    std::ranges::sort(open);  // leaves that were replaced are pending twice
+    open.erase(std::unique(open.begin(), open.end()), open.end());
     return open;
   }
-  std::vector<TetId> input_tets_of(const std::vector<std::uint32_t>& leaves) const {
+  /// The tets of the input that hold these leaves and were not searched before, ascending.
+  std::vector<TetId> unsearched(const std::vector<std::uint32_t>& leaves) {
     std::vector<TetId> tets;
-    for (const std::uint32_t n : leaves) tets.push_back(complex_.leaves[n].input);
+    for (const std::uint32_t n : leaves)
+      if (const TetId tet = complex_.leaves[n].input; searched_.insert(tet).second)
+        tets.push_back(tet);
+    std::ranges::sort(tets);
     return tets;
   }
 
-  /// Where refinement lasts there may be points that no halving reaches: they become vertices, with
-  /// all their copies.
-  void plant_exact_points() {
-    const std::vector<std::uint32_t> open = lasting();
-    if (open.empty()) return;
+  /// Where refinement lasts there may be nodes, and points that no halving reaches: of these the
+  /// ones whose place is known exactly become vertices at once, with all their copies.
+  void search_lasting() {
+    const std::vector<TetId> tets = unsearched(lasting());
+    if (tets.empty()) return;
+    std::vector<ExactPoint> points = exact_points_on(complex_.field, tets);
+    std::ranges::move(stars_.search(tets, stages_.local()), std::back_inserter(points));
+    sort_by_place(points);
     const std::size_t first = pending_.size();
     std::vector<std::uint32_t> replaced;
-    for (const ExactPoint& point : exact_points_.search(input_tets_of(open))) {
-      std::vector<std::pair<std::array<VertexId, 3>, VertexId>> planted;
-      for (const auto& carrier : complex_.copies.copies(point.carrier))
-        if (const auto v = plant({carrier, point.weights}, replaced))
-          planted.emplace_back(carrier, *v);
-      for (const auto& [carrier, v] : planted)
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          for (const auto& [other, low] : planted)
-            if (auto lower = carrier; complex_.copies.lower(axis, lower) && lower == other)
-              complex_.copies.add_midpoint(axis, v, low);
-    }
+    for (const ExactPoint& point : points) plant_with_copies(point, replaced);
     if (replaced.empty()) return;
     label_vertices();
     recertify(std::move(replaced), first);
+  }
+  void plant_with_copies(const ExactPoint& point, std::vector<std::uint32_t>& replaced) {
+    std::map<std::array<VertexId, 3>, VertexId> planted;
+    for (const auto& carrier : complex_.copies.copies(point.carrier))
+      if (const auto v = plant({carrier, point.weights}, replaced)) planted.emplace(carrier, *v);
+    for (const auto& [carrier, v] : planted)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (auto lower = carrier; complex_.copies.lower(axis, lower) && planted.contains(lower))
+          complex_.copies.add_midpoint(axis, v, planted.at(lower));
   }
 
   /// Makes the point a vertex, unless it is one already or known only by comparison with an
@@ -246,19 +256,17 @@ class Refinement {
     return vertex;
   }
 
-  /// Leaves that were replaced, with what was appended to the pending ones from `first` on.
+  /// Leaves that were replaced, and those appended to the pending ones from `first` on: each once.
   void recertify(std::vector<std::uint32_t> replaced, std::size_t first) {
+    const auto appended = pending_.begin() + static_cast<std::ptrdiff_t>(first);
+    replaced.insert(replaced.end(), appended, pending_.end());
+    pending_.erase(appended, pending_.end());
     std::ranges::sort(replaced);
     replaced.erase(std::unique(replaced.begin(), replaced.end()), replaced.end());
-    std::erase_if(replaced, [&](std::uint32_t n) {
-      return std::find(pending_.begin() + static_cast<std::ptrdiff_t>(first), pending_.end(), n) !=
-             pending_.end();
-    });
     for (auto& wishes : wishes_)
       std::erase_if(wishes,
                     [&](const Wish& w) { return std::ranges::binary_search(replaced, w.leaf); });
-    pending_.insert(pending_.begin() + static_cast<std::ptrdiff_t>(first), replaced.begin(),
-                    replaced.end());
+    pending_.insert(pending_.end(), replaced.begin(), replaced.end());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(first, pending_.size(), 16),
                       [&](const auto& range) {
                         for (std::size_t n = range.begin(); n < range.end(); ++n)
@@ -266,12 +274,10 @@ class Refinement {
                       });
   }
 
-  /// Where refinement lasts there may be nodes: they become vertices as soon as the tets around
-  /// them can be certified.
+  /// Nodes become vertices as soon as the tets around them can be certified.
   void plant_nodes() {
     const std::vector<std::uint32_t> open = lasting();
     if (open.empty()) return;
-    stars_.search(input_tets_of(open), stages_.local());
     std::vector<std::optional<VertexId>> ready(open.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, open.size(), 16), [&](const auto& range) {
       for (std::size_t n = range.begin(); n < range.end(); ++n)
@@ -360,10 +366,10 @@ class Refinement {
   const FeatureSet level_sets_;  // requested
   const bool sweeps_;            // the sweep knows the book
   RefinedComplex complex_;
-  ExactPoints exact_points_;
   NodeStars stars_;
   StagesPerThread stages_;
   std::vector<std::uint32_t> spent_;    // bisections asked for, per input tet
+  std::unordered_set<TetId> searched_;  // tets of the input
   std::vector<std::uint32_t> pending_;  // leaves without a current certificate
   tbb::enumerable_thread_specific<std::vector<Wish>> wishes_;  // in any order: marks are sorted
   std::optional<LeafLookup> lookup_;                           // from the first bisection on

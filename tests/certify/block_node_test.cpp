@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../oracle/one_tet.hpp"
 #include "../oracle/random_tensors.hpp"
 #include "triplex/certify/node.hpp"
 
@@ -11,14 +12,6 @@ namespace triplex {
 namespace {
 
 constexpr std::array kFace = {VertexId(0), VertexId(1), VertexId(2)};
-
-TensorField on_one_tet(const std::array<Tensor<double>, 4>& tensors) {
-  TensorField field;
-  field.mesh.points = {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
-  field.mesh.tets = {{VertexId(0), VertexId(3), VertexId(2), VertexId(1)}};
-  field.tensors.assign(tensors.begin(), tensors.end());
-  return field;
-}
 
 /// Integer tensors on a face, block triangular along z, with a node where all vertices weigh the
 /// same: the middle tensor is a node, and the three add up to three times it.
@@ -44,7 +37,7 @@ TensorField with_node_in_face(oracle::Random& random, bool column) {
     if (i == 2) t[i] = rest;
     for (std::size_t k = 0; k < 9; ++k) rest[k] -= t[i][k];
   }
-  return on_one_tet(t);
+  return oracle::on_one_tet(t);
 }
 
 TEST(BlockNode, IsNeverExcluded) {
@@ -80,7 +73,7 @@ TEST(BlockNode, IsExcludedOnMostFacesWithoutOne) {
       for (std::size_t k = 0; k < 9; ++k) a[k] = centre[k] + 0.1 * a[k];
       a[2] = a[5] = 0;
     }
-    const TensorField input = on_one_tet(t);
+    const TensorField input = oracle::on_one_tet(t);
     const RefinableField field(input);
     excluded += excludes_block_node(Simplex<3>(field, kFace), stages);
   }
@@ -98,7 +91,7 @@ TEST(BlockNode, RationalOnesAreFoundExactly) {
       const double x = i < 2 ? 0 : oracle::integer(random, 5);
       t[i] = {-s, s, 0, 20 * oracle::double_tensor(random)[0], -1, -x, x, x, e};
     }
-    const TensorField input = on_one_tet(t);
+    const TensorField input = oracle::on_one_tet(t);
     const RefinableField field(input);
     const auto check = [&](const auto& nodes, std::span<const VertexId> vertices) {
       for (const auto& w : nodes) {

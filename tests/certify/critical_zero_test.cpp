@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "../oracle/one_tet.hpp"
 #include "../oracle/random_tensors.hpp"
 #include "triplex/feature/feature_table.hpp"
 
@@ -21,19 +22,11 @@ std::array<Tensor<double>, 4> four_tensors(oracle::Random& random) {
   return tensors;
 }
 
-TensorField on_one_tet(const std::array<Tensor<double>, 4>& tensors) {
-  TensorField field;
-  field.mesh.points = {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
-  field.mesh.tets = {{VertexId(0), VertexId(3), VertexId(2), VertexId(1)}};
-  field.tensors.assign(tensors.begin(), tensors.end());
-  return field;
-}
-
 /// On the face q is the product of three entries, as on the planes of symmetry of the ABC flow.
 TensorField with_product(oracle::Random& random) {
   auto tensors = four_tensors(random);
   for (auto& t : tensors) t[0] = t[4] = t[8] = t[2] = 0;
-  return on_one_tet(tensors);
+  return oracle::on_one_tet(tensors);
 }
 
 Tensor<Exact> interpolated(const RefinableField& field, const ExactWeights<3>& w) {
@@ -75,7 +68,7 @@ TEST(CriticalZero, IsFoundExactlyWhereTwoFactorsOfQVanish) {
 TEST(CriticalZero, GenericFacesHaveNone) {
   oracle::Random random(4);
   for (int n = 0; n < 200; ++n) {
-    const TensorField input = on_one_tet(four_tensors(random));
+    const TensorField input = oracle::on_one_tet(four_tensors(random));
     const RefinableField field(input);
     EXPECT_TRUE(critical_zeros(Simplex<3>(field, kFace)).empty());
     EXPECT_TRUE(critical_zeros(Simplex<2>(field, {kFace[0], kFace[1]})).empty());
@@ -87,7 +80,7 @@ TEST(CriticalZero, OnAnEdgeLiesBetweenTwoZerosThatAgreeUpToRounding) {
   for (auto& t : tensors) t = {0, 0, 1, 1, 0, 1, 1, 1, 0};
   tensors[0][3] = -1, tensors[1][3] = 3;
   tensors[0][7] = -1 - 0x1p-52, tensors[1][7] = 3;
-  const TensorField input = on_one_tet(tensors);
+  const TensorField input = oracle::on_one_tet(tensors);
   const RefinableField field(input);
   const auto zeros = critical_zeros(Simplex<2>(field, {kFace[0], kFace[1]}));
   const auto is_between = [](const ExactWeights<2>& w) {
@@ -155,7 +148,7 @@ TEST(Saddle, LeavesAtMostTwoRegionsWhereEdgesAreCrossedOnce) {
   SignStages stages;
   int certified = 0, refused_many = 0;
   for (int n = 0; n < 3000; ++n) {
-    const TensorField input = on_one_tet(four_tensors(random));
+    const TensorField input = oracle::on_one_tet(four_tensors(random));
     const RefinableField field(input);
     const Simplex<3> face(field, kFace);
     for (const int s : {kBalancedSheet, kNeutralSheet}) {

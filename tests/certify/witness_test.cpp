@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "../oracle/one_tet.hpp"
 #include "triplex/certify/variation.hpp"
 
 namespace triplex {
@@ -68,11 +69,8 @@ TEST(SeparatingDirection, FindsNoneAroundTheOrigin) {
 
 /// A field that changes only from vertex 3 to the others varies along no edge among these.
 TEST(Variation, ChoosesAnEdgeAlongWhichTheFieldChanges) {
-  TensorField field;
-  field.mesh.points = {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
-  field.mesh.tets = {{VertexId(0), VertexId(3), VertexId(2), VertexId(1)}};
   const Tensor<double> base = {1, 2, 0, -1, 3, 1, 0.5, 0, -2};
-  field.tensors = {base, base, base, {0, 5, 1, 2, -3, 1, 4, 0, 7}};
+  const TensorField field = oracle::on_one_tet({base, base, base, {0, 5, 1, 2, -3, 1, 4, 0, 7}});
   const RefinableField refinable(field);
   const Simplex<4> tet(refinable, {VertexId(0), VertexId(1), VertexId(2), VertexId(3)});
   const std::array<ModeMap, 2> maps = {ModeMap{}, ModeMap{4, 2}};

@@ -15,18 +15,7 @@
 namespace triplex {
 namespace {
 
-struct AbcMesh {
-  int n;
-  double jitter;
-  CellSplit split;
-};
-
-Extraction extract_on_torus(const AbcMesh& mesh) {
-  GridOptions grid;
-  grid.n = mesh.n;
-  grid.jitter = mesh.jitter;
-  grid.split = mesh.split;
-  grid.seed = 9;
+Extraction extract_on_torus(const GridOptions& grid) {
   ExtractionOptions options;
   options.periodic = {true, true, true};
   return extract(generate_abc(grid), options);
@@ -63,11 +52,13 @@ void expect_eight_nodes(const Extraction& result) {
 TEST(AbcOnTheTorus, HasSixCurvesEightNodesAndTheSameSurfacesOnEveryMesh) {
   std::array<std::optional<SurfaceTopology>, kStandardPages> known;
   int compared = 0, certified_curves = 0;
-  for (const AbcMesh& mesh : {AbcMesh{33, 0, CellSplit::Six}, AbcMesh{33, 0.2, CellSplit::Six},
-                              AbcMesh{32, 0.2, CellSplit::Six}, AbcMesh{34, 0.1, CellSplit::Five},
-                              AbcMesh{32, 0, CellSplit::Six}}) {
-    SCOPED_TRACE(mesh.n);
-    const Extraction result = extract_on_torus(mesh);
+  for (const GridOptions& grid :
+       {GridOptions{.n = 33, .seed = 9}, GridOptions{.n = 33, .jitter = 0.2, .seed = 9},
+        GridOptions{.n = 32, .jitter = 0.2, .seed = 9},
+        GridOptions{.n = 34, .jitter = 0.1, .seed = 9, .split = CellSplit::Five},
+        GridOptions{.n = 32, .seed = 9}}) {
+    SCOPED_TRACE(grid.n);
+    const Extraction result = extract_on_torus(grid);
     expect_six_curves(result);
     expect_eight_nodes(result);
     certified_curves += test::certified(result, Feature::TripleCurve);
@@ -79,7 +70,7 @@ TEST(AbcOnTheTorus, HasSixCurvesEightNodesAndTheSameSurfacesOnEveryMesh) {
       EXPECT_EQ(t.nonmanifold_edges, 0u);
       EXPECT_EQ(t.nonmanifold_vertices, surface.nodes.size());
       EXPECT_EQ(t.orientation_conflicts, 0u);
-      std::cout << "n = " << mesh.n << ", " << standard_features().rows()[f].name << ": "
+      std::cout << "n = " << grid.n << ", " << standard_features().rows()[f].name << ": "
                 << t.components << " components, euler " << t.euler << ", " << t.boundary_loops
                 << " loops\n";
       if (known[f]) {

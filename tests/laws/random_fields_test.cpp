@@ -5,21 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "triplex/field/generators.hpp"
-#include "triplex/field/input_check.hpp"
 #include "triplex/refine/refine.hpp"
 
 namespace triplex {
 namespace {
-
-TensorField one_tet(std::uint64_t seed) {
-  GridOptions grid;
-  grid.n = 1;
-  grid.seed = seed;
-  TensorField field = generate_noise(grid);
-  field.mesh.tets.resize(1);
-  remove_unused_points(field);
-  return field;
-}
 
 std::size_t open_leaves(const TensorField& field) {
   RefineOptions options;
@@ -31,7 +20,7 @@ std::size_t open_leaves(const TensorField& field) {
 
 TEST(RandomFields, OnOneTetAreResolved) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed)
-    EXPECT_EQ(open_leaves(one_tet(seed)), 0u) << seed;
+    EXPECT_EQ(open_leaves(generate_noise_on_tet(seed)), 0u) << seed;
 }
 
 /// Leaves that become flat along an edge that is never cut; midpoints of edges at nodes too close
@@ -39,7 +28,7 @@ TEST(RandomFields, OnOneTetAreResolved) {
 TEST(RandomFields, ThatWereHardAreResolved) {
   for (const std::uint64_t seed :
        {73, 81, 92, 154, 177, 346, 377, 784, 829, 865, 1856, 2117, 3043, 4028, 4445, 4543})
-    EXPECT_EQ(open_leaves(one_tet(seed)), 0u) << seed;
+    EXPECT_EQ(open_leaves(generate_noise_on_tet(seed)), 0u) << seed;
 }
 
 TEST(RandomFields, OnACubeAreResolved) {

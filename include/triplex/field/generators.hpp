@@ -61,6 +61,8 @@ TensorField generate_random_linear(const GridOptions& options);
 
 /// Nine independent random numbers in [-1, 1) at every vertex. Default box: [0,1]^3.
 TensorField generate_noise(const GridOptions& options);
+/// One tet with independent random tensors at its vertices.
+TensorField generate_noise_on_tet(std::uint64_t seed);
 
 /// The same tensor everywhere: where its invariants do not vanish, the field has no feature at all.
 /// Default box: [0,1]^3. The tensor must be finite: \throw BadInput.
