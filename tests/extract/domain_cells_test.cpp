@@ -82,6 +82,7 @@ struct Case {
   std::uint32_t max_bisections;
   bool modes = false;
 };
+std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 
 class DomainCellsTest : public testing::TestWithParam<Case> {
  protected:
