@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triplex/verify/audit.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+
+#include "source_pieces.hpp"
+#include "witness.hpp"
+
+namespace triplex {
+namespace {
+
+using detail::SourcePieces;
+
+DifferenceKind kind_of(const PieceTopology& reference, const PieceTopology& other) {
+  if (other.components == 0) return DifferenceKind::Missed;
+  if (reference.components == 0) return DifferenceKind::Invented;
+  return reference.components != other.components ? DifferenceKind::Components
+                                                  : DifferenceKind::Shape;
+}
+
+/// The cells of the input where the pieces of one feature differ.
+std::vector<Difference> differing_cells(Feature f, const SourcePieces& reference,
+                                        const SourcePieces& other) {
+  std::vector<std::int64_t> cells;
+  std::ranges::set_union(reference.cells(), other.cells(), std::back_inserter(cells));
+  std::vector<Difference> found(cells.size());
+  std::vector<std::uint8_t> differ(cells.size());
+  tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t n) {
+    Difference& d = found[n];
+    d.source_cell = cells[n];
+    d.feature = f;
+    d.reference = reference.topology_in(cells[n]);
+    d.other = other.topology_in(cells[n]);
+    differ[n] = d.reference != d.other;
+    d.kind = kind_of(d.reference, d.other);
+  });
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < found.size(); ++n)
+    if (differ[n]) found[kept++] = found[n];
+  found.resize(kept);
+  return found;
+}
+
+/// The other page of the zero set that a page is part of: q = 0 is real and complex, p = 0 and the
+/// discriminant are linear and planar.
+std::optional<Feature> other_page(const FeatureTable& table, Feature f) {
+  const FeatureRow& row = table.row(f);
+  if (row.kind != FeatureKind::Page) return std::nullopt;
+  for (const FeatureRow& r : table.rows()) {
+    if (r.kind != FeatureKind::Page || r.feature == f || !(r.mode == row.mode)) continue;
+    if (row.mode.is_zero() || row.mode.is_infinite() || r.sign_p == row.sign_p) return r.feature;
+  }
+  return std::nullopt;
+}
+
+/// Two pages of one zero set that differ while their numbers of pieces add up to the same: what one
+/// side calls linear the other calls planar, or real and complex.
+void find_labels(const FeatureTable& table, std::vector<Difference>& sorted) {
+  for (auto first = sorted.begin(); first != sorted.end();) {
+    const auto last = std::find_if(first, sorted.end(), [&](const Difference& d) {
+      return d.source_cell != first->source_cell;
+    });
+    for (auto d = first; d != last; ++d) {
+      const auto partner = other_page(table, d->feature);
+      const auto e =
+          std::find_if(first, last, [&](const Difference& x) { return partner == x.feature; });
+      if (e == last || e <= d) continue;
+      const auto pieces = d->reference.components + e->reference.components;
+      if (pieces != d->other.components + e->other.components ||
+          d->reference.components == d->other.components)
+        continue;
+      d->kind = e->kind = DifferenceKind::Label;
+    }
+    first = last;
+  }
+}
+
+/// The tets of each cell of the input.
+class TetsOfCells {
+ public:
+  explicit TetsOfCells(const TensorField& field) {
+    by_cell_.resize(field.mesh.tets.size());
+    for (std::size_t t = 0; t < by_cell_.size(); ++t)
+      by_cell_[t] = {field.source_cell(static_cast<TetId>(t)), static_cast<TetId>(t)};
+    std::ranges::sort(by_cell_);
+  }
+  std::vector<TetId> of(std::int64_t cell) const {
+    std::vector<TetId> tets;
+    for (auto at = std::ranges::lower_bound(by_cell_, std::pair{cell, TetId{0}});
+         at != by_cell_.end() && at->first == cell; ++at)
+      tets.push_back(at->second);
+    return tets;
+  }
+
+ private:
+  std::vector<std::pair<std::int64_t, TetId>> by_cell_;
+};
+
+}  // namespace
+
+std::string_view name_of(DifferenceKind kind) {
+  constexpr std::array<std::string_view, kDifferenceKinds> kNames = {"missed", "invented", "label",
+                                                                     "components", "shape"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::string_view name_of(Ruling ruling) {
+  constexpr std::array<std::string_view, 3> kNames = {"undecided", "reference", "other"};
+  return kNames[static_cast<std::size_t>(ruling)];
+}
+
+std::vector<Difference> audit(const TensorField& field, const FeatureTable& table,
+                              FeatureSet features, const AuditedRoad& reference,
+                              const AuditedRoad& other, const AuditOptions& options) {
+  std::optional<tbb::global_control> limit;
+  if (options.threads > 0)
+    limit.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
+  std::vector<SourcePieces> of_reference, of_other;
+  for (std::size_t f = 0; f < table.rows().size(); ++f) {
+    of_reference.emplace_back(reference.features[f]);
+    of_other.emplace_back(other.features[f]);
+  }
+  std::vector<Difference> all;
+  for (const FeatureRow& row : table.rows()) {
+    if (!contains(features, row.feature)) continue;
+    const std::size_t f = index(row.feature);
+    const auto found = differing_cells(row.feature, of_reference[f], of_other[f]);
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  std::ranges::sort(all, {}, [](const Difference& d) {
+    return std::pair{d.source_cell, d.feature};
+  });
+  find_labels(table, all);
+
+  const TetsOfCells tets(field);
+  tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t n) {
+    if (options.interrupted != nullptr && options.interrupted->load()) return;
+    Difference& d = all[n];
+    const std::size_t f = index(d.feature);
+    d.reference_open = std::ranges::binary_search(reference.open[f], d.source_cell);
+    d.other_open = std::ranges::binary_search(other.open[f], d.source_cell);
+    std::tie(d.ruling, d.witness) =
+        detail::find_witness(field, table, d.feature, d.source_cell, tets.of(d.source_cell),
+                             of_reference[f], of_other[f]);
+  });
+  if (options.interrupted != nullptr && options.interrupted->load()) throw AuditInterrupted{};
+  return all;
+}
+
+}  // namespace triplex

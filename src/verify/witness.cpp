@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "witness.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace triplex::detail {
+namespace {
+
+// Barycentric: what is nearer to an edge or face than that lies on it. Mesh points on edges are
+// roots rounded to doubles, a thousand times nearer in any mesh whose tets doubles can tell apart.
+constexpr double kOn = 1e-9;
+constexpr std::size_t kPiecesAsked = 8;  // triangles of each side that segments are laid across
+
+using Barycentric = std::array<double, 4>;
+
+/// Positions to barycentric coordinates in a tet; rounded.
+class TetChart {
+ public:
+  TetChart(const TensorField& field, TetId tet) {
+    const auto& vertices = field.mesh.tets[index(tet)];
+    const auto x = [&](int i) {
+      return Eigen::Map<const Eigen::Vector3d>(field.mesh.points[index(vertices[i])].data());
+    };
+    origin_ = x(0);
+    Eigen::Matrix3d edges;
+    edges << x(1) - origin_, x(2) - origin_, x(3) - origin_;
+    inverse_ = edges.inverse();
+  }
+  Barycentric of(const Point& point) const {
+    const Eigen::Vector3d b =
+        inverse_ * (Eigen::Map<const Eigen::Vector3d>(point.data()) - origin_);
+    return {1 - b[0] - b[1] - b[2], b[0], b[1], b[2]};
+  }
+
+ private:
+  Eigen::Vector3d origin_;
+  Eigen::Matrix3d inverse_;
+};
+
+/// How often a mesh crosses something, by the two ways of counting points that coincide.
+struct Hits {
+  int apart = 0, merged = 0;
+  bool agrees_with(int exact) const { return apart == exact || merged == exact; }
+  int nearest_to(int exact) const { return apart == exact ? apart : merged; }
+};
+Hits count(std::vector<double> at) {
+  std::ranges::sort(at);
+  Hits hits{static_cast<int>(at.size()), 0};
+  for (std::size_t n = 0; n < at.size(); ++n) hits.merged += n == 0 || at[n] - at[n - 1] > kOn;
+  return hits;
+}
+
+/// The points of some cells of a mesh, each once.
+std::vector<std::uint32_t> points_of(const SourcePieces& pieces, std::int64_t cell) {
+  std::vector<std::uint32_t> points;
+  for (const std::uint32_t c : pieces.in(cell)) {
+    if (pieces.is_curve())
+      points.insert(points.end(), pieces.mesh().segments[c].begin(),
+                    pieces.mesh().segments[c].end());
+    else
+      points.insert(points.end(), pieces.mesh().triangles[c].begin(),
+                    pieces.mesh().triangles[c].end());
+  }
+  std::ranges::sort(points);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+/// Points of a mesh on the edge from vertex i to vertex j.
+Hits hits_on_edge(const SourcePieces& pieces, std::int64_t cell, const TetChart& chart, int i,
+                  int j) {
+  std::vector<double> at;
+  for (const std::uint32_t v : points_of(pieces, cell)) {
+    const Barycentric b = chart.of(pieces.mesh().points[v]);
+    bool on = true;
+    for (int k = 0; k < 4; ++k) on = on && (k == i || k == j ? b[k] > -kOn : std::fabs(b[k]) < kOn);
+    if (on) at.push_back(b[j]);
+  }
+  return count(std::move(at));
+}
+
+/// Points of a curve on the face opposite to vertex i.
+Hits hits_on_face(const SourcePieces& pieces, std::int64_t cell, const TetChart& chart, int i) {
+  std::vector<double> at;
+  for (const std::uint32_t v : points_of(pieces, cell)) {
+    const Barycentric b = chart.of(pieces.mesh().points[v]);
+    bool on = std::fabs(b[i]) < kOn;
+    for (int k = 0; k < 4; ++k) on = on && b[k] > -kOn;
+    if (on) at.push_back(b[(i + 1) % 4] + 2 * b[(i + 2) % 4]);
+  }
+  return count(std::move(at));
+}
+
+/// Triangles of a mesh that a segment passes through.
+Hits hits_on_segment(const SourcePieces& pieces, std::int64_t cell, const Point& from,
+                     const Point& to) {
+  const Eigen::Map<const Eigen::Vector3d> a(from.data()), b(to.data());
+  const Eigen::Vector3d d = b - a;
+  std::vector<double> at;
+  for (const std::uint32_t c : pieces.in(cell)) {
+    const auto& t = pieces.mesh().triangles[c];
+    const auto x = [&](int i) {
+      return Eigen::Map<const Eigen::Vector3d>(pieces.mesh().points[t[i]].data());
+    };
+    Eigen::Matrix3d m;
+    m << x(1) - x(0), x(2) - x(0), -d;
+    const Eigen::Vector3d s = m.inverse() * (a - x(0));
+    if (!s.allFinite() || s[2] < 0 || s[2] > 1) continue;
+    if (s[0] > -kOn && s[1] > -kOn && s[0] + s[1] < 1 + kOn) at.push_back(s[2]);
+  }
+  return count(std::move(at));
+}
+
+/// Collects what the candidates of one place say.
+class Hearing {
+ public:
+  void add(const Witness& witness, bool reference_agrees, bool other_agrees) {
+    if (reference_agrees == other_agrees) return;
+    auto& kept = reference_agrees ? for_reference_ : for_other_;
+    if (!kept) kept = witness;
+  }
+  bool decided() const { return for_reference_.has_value() != for_other_.has_value(); }
+  std::pair<Ruling, std::optional<Witness>> ruling() const {
+    return for_reference_ ? std::pair{Ruling::Reference, for_reference_}
+                          : std::pair{Ruling::Other, for_other_};
+  }
+
+ private:
+  std::optional<Witness> for_reference_, for_other_;
+};
+
+struct Case {
+  const TensorField& field;
+  const FeatureTable& table;
+  Feature feature;
+  std::int64_t cell;
+  std::span<const TetId> tets;
+  const SourcePieces &reference, &other;
+
+  Witness witness(const TetSegment& s, int exact, const Hits& in_reference,
+                  const Hits& in_other) const {
+    return {s.tet,
+            {position_of(field, s.tet, s.ends[0]), position_of(field, s.tet, s.ends[1])},
+            exact,
+            in_reference.nearest_to(exact),
+            in_other.nearest_to(exact)};
+  }
+};
+
+TetWeights corner(int i) {
+  TetWeights w{};
+  w[static_cast<std::size_t>(i)] = std::int64_t{1} << kWeightBits;
+  return w;
+}
+
+void ask_edges(const Case& c, Hearing& hearing) {
+  for (const TetId tet : c.tets) {
+    const TetChart chart(c.field, tet);
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j) {
+        const Hits reference = hits_on_edge(c.reference, c.cell, chart, i, j);
+        const Hits other = hits_on_edge(c.other, c.cell, chart, i, j);
+        if (reference.apart == other.apart) continue;
+        const TetSegment s{tet, {corner(i), corner(j)}};
+        const auto found = crossings_on(c.field, c.table, c.feature, s);
+        if (!found) continue;
+        const int exact = static_cast<int>(found->size());
+        hearing.add(c.witness(s, exact, reference, other), reference.agrees_with(exact),
+                    other.agrees_with(exact));
+      }
+  }
+}
+
+void ask_segment(const Case& c, const TetSegment& s, Hearing& hearing) {
+  const Point from = position_of(c.field, s.tet, s.ends[0]);
+  const Point to = position_of(c.field, s.tet, s.ends[1]);
+  const Hits reference = hits_on_segment(c.reference, c.cell, from, to);
+  const Hits other = hits_on_segment(c.other, c.cell, from, to);
+  if (reference.merged == other.merged) return;
+  const auto found = crossings_on(c.field, c.table, c.feature, s);
+  if (!found) return;
+  const int exact = static_cast<int>(found->size());
+  hearing.add(c.witness(s, exact, reference, other), reference.agrees_with(exact),
+              other.agrees_with(exact));
+}
+
+/// From each vertex to the middle of the opposite face, and between the middles of opposite edges.
+void ask_medians(const Case& c, Hearing& hearing) {
+  constexpr double kThird = 1.0 / 3;
+  for (const TetId tet : c.tets) {
+    for (int i = 0; i < 4; ++i) {
+      Barycentric middle = {kThird, kThird, kThird, kThird};
+      middle[i] = 0;
+      ask_segment(c, {tet, {corner(i), weights_near(middle)}}, hearing);
+    }
+    for (int i = 1; i < 4; ++i) {
+      Barycentric one = {0.5, 0, 0, 0}, opposite = {0, 0.5, 0.5, 0.5};
+      one[i] = 0.5;
+      opposite[i] = 0;
+      ask_segment(c, {tet, {weights_near(one), weights_near(opposite)}}, hearing);
+    }
+  }
+}
+
+/// The part in a tet of the line through b0 + t d: two ends, if it has a length.
+std::optional<TetSegment> clip(TetId tet, const Barycentric& b0, const Barycentric& b1) {
+  double lo = -HUGE_VAL, hi = HUGE_VAL;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double d = b1[k] - b0[k];
+    if (d == 0) {
+      if (b0[k] < 0) return std::nullopt;
+      continue;
+    }
+    const double t = -b0[k] / d;
+    (d > 0 ? lo : hi) = d > 0 ? std::fmax(lo, t) : std::fmin(hi, t);
+  }
+  if (!(lo < hi) || !std::isfinite(lo) || !std::isfinite(hi)) return std::nullopt;
+  const auto at = [&](double t) {
+    Barycentric b;
+    for (std::size_t k = 0; k < 4; ++k) b[k] = b0[k] + t * (b1[k] - b0[k]);
+    return weights_near(b);
+  };
+  return TetSegment{tet, {at(lo), at(hi)}};
+}
+
+/// Along the normals of some triangles of each side, right through the tet.
+void ask_across(const Case& c, Hearing& hearing) {
+  for (const SourcePieces* side : {&c.reference, &c.other}) {
+    const auto triangles = side->in(c.cell);
+    const std::size_t step = std::max<std::size_t>(1, triangles.size() / kPiecesAsked);
+    for (std::size_t n = 0; n < triangles.size(); n += step) {
+      const auto& t = side->mesh().triangles[triangles[n]];
+      const auto x = [&](int i) {
+        return Eigen::Map<const Eigen::Vector3d>(side->mesh().points[t[i]].data());
+      };
+      const Eigen::Vector3d middle = (x(0) + x(1) + x(2)) / 3;
+      const Eigen::Vector3d normal = (x(1) - x(0)).cross(x(2) - x(0));
+      const double size = std::sqrt(normal.norm());
+      if (!(size > 0)) continue;
+      const Eigen::Vector3d beyond = middle + normal / size;
+      for (const TetId tet : c.tets) {
+        const TetChart chart(c.field, tet);
+        if (const auto s = clip(tet, chart.of({middle[0], middle[1], middle[2]}),
+                                chart.of({beyond[0], beyond[1], beyond[2]})))
+          ask_segment(c, *s, hearing);
+      }
+    }
+  }
+}
+
+void ask_faces(const Case& c, Hearing& hearing) {
+  for (const TetId tet : c.tets) {
+    const TetChart chart(c.field, tet);
+    for (int i = 0; i < 4; ++i) {
+      const Hits reference = hits_on_face(c.reference, c.cell, chart, i);
+      const Hits other = hits_on_face(c.other, c.cell, chart, i);
+      if (reference.merged % 2 == other.merged % 2) continue;
+      const std::array<TetWeights, 3> face = {corner((i + 1) % 4), corner((i + 2) % 4),
+                                              corner((i + 3) % 4)};
+      const auto winding = winding_on(c.field, tet, face);
+      if (!winding) continue;
+      const int exact = std::abs(*winding);
+      hearing.add({tet,
+                   {position_of(c.field, tet, face[0]), position_of(c.field, tet, face[1])},
+                   exact,
+                   reference.merged,
+                   other.merged},
+                  reference.merged % 2 == exact % 2, other.merged % 2 == exact % 2);
+    }
+  }
+}
+
+}  // namespace
+
+std::pair<Ruling, std::optional<Witness>> find_witness(
+    const TensorField& field, const FeatureTable& table, Feature feature, std::int64_t cell,
+    std::span<const TetId> tets, const SourcePieces& reference, const SourcePieces& other) {
+  const Case c{field, table, feature, cell, tets, reference, other};
+  using Ask = void (*)(const Case&, Hearing&);
+  constexpr std::array<Ask, 3> kOfSurfaces = {ask_edges, ask_medians, ask_across};
+  constexpr std::array<Ask, 1> kOfCurves = {ask_faces};
+  const bool is_curve = table.row(feature).kind == FeatureKind::Curve;
+  for (const Ask ask :
+       is_curve ? std::span<const Ask>(kOfCurves) : std::span<const Ask>(kOfSurfaces)) {
+    Hearing hearing;
+    ask(c, hearing);
+    if (hearing.decided()) return hearing.ruling();
+  }
+  return {Ruling::Undecided, std::nullopt};
+}
+
+}  // namespace triplex::detail
