@@ -3,7 +3,6 @@
 #include "scaling.hpp"
 
 #include <fmt/format.h>
-#include <malloc.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,34 +11,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <vector>
 
 #include "median.hpp"
 #include "triplex/extract/extraction.hpp"
+#include "triplex/io/resident_memory.hpp"
 #include "triplex/refine/refine.hpp"
 
 namespace triplex {
 namespace {
-
-/// A line of /proc/self/status in bytes: VmRSS is resident now, VmHWM the peak.
-double status_bytes(const std::string& key) {
-  std::ifstream status("/proc/self/status");
-  std::string word;
-  while (status >> word)
-    if (word == key + ":") {
-      double kib = 0;
-      status >> kib;
-      return kib * 1024;
-    }
-  return 0;
-}
-/// Makes the peak start again from what is resident now; false where the system does not offer it.
-bool reset_peak() {
-  std::ofstream clear("/proc/self/clear_refs");
-  clear << "5" << std::flush;
-  return static_cast<bool>(clear);
-}
 
 struct Row {
   double tets = 0, leaves = 0, bisections = 0, bisected = 0, unresolved = 0;
@@ -61,12 +41,13 @@ double count_bisected(const TensorField& field) {
 Row measure(const TensorField& field, int repeats) {
   Row row;
   row.tets = static_cast<double>(field.mesh.tets.size());
-  malloc_trim(0);
-  const double before = status_bytes("VmRSS");
-  const bool peak_known = reset_peak();
+  const bool peak_known = restart_memory_peak();
+  const auto before = resident_memory();
   {
     const Extraction result = extract(field, with_threads(2));
-    row.bytes = peak_known ? status_bytes("VmHWM") - before : std::nan("");
+    const auto after = resident_memory();
+    row.bytes = peak_known && before && after ? static_cast<double>(after->peak - before->now)
+                                              : std::nan("");
     row.leaves = static_cast<double>(result.refinement.tets);
     row.bisections = static_cast<double>(result.refinement.bisections);
     row.unresolved = static_cast<double>(result.unresolved.size());
