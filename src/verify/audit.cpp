@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <array>
 
+#include "other_page.hpp"
 #include "source_pieces.hpp"
+#include "tets_of_cells.hpp"
 #include "witness.hpp"
 
 namespace triplex {
@@ -46,18 +48,6 @@ std::vector<Difference> differing_cells(Feature f, const SourcePieces& reference
   return found;
 }
 
-/// The other page of the zero set that a page is part of: q = 0 is real and complex, p = 0 and the
-/// discriminant are linear and planar.
-std::optional<Feature> other_page(const FeatureTable& table, Feature f) {
-  const FeatureRow& row = table.row(f);
-  if (row.kind != FeatureKind::Page) return std::nullopt;
-  for (const FeatureRow& r : table.rows()) {
-    if (r.kind != FeatureKind::Page || r.feature == f || !(r.mode == row.mode)) continue;
-    if (row.mode.is_zero() || row.mode.is_infinite() || r.sign_p == row.sign_p) return r.feature;
-  }
-  return std::nullopt;
-}
-
 /// Two pages of one zero set that differ while their numbers of pieces add up to the same: what one
 /// side calls linear the other calls planar, or real and complex.
 void find_labels(const FeatureTable& table, std::vector<Difference>& sorted) {
@@ -66,7 +56,7 @@ void find_labels(const FeatureTable& table, std::vector<Difference>& sorted) {
       return d.source_cell != first->source_cell;
     });
     for (auto d = first; d != last; ++d) {
-      const auto partner = other_page(table, d->feature);
+      const auto partner = detail::other_page(table, d->feature);
       const auto e =
           std::find_if(first, last, [&](const Difference& x) { return partner == x.feature; });
       if (e == last || e <= d) continue;
@@ -80,32 +70,16 @@ void find_labels(const FeatureTable& table, std::vector<Difference>& sorted) {
   }
 }
 
-/// The tets of each cell of the input.
-class TetsOfCells {
- public:
-  explicit TetsOfCells(const TensorField& field) {
-    by_cell_.resize(field.mesh.tets.size());
-    for (std::size_t t = 0; t < by_cell_.size(); ++t)
-      by_cell_[t] = {field.source_cell(static_cast<TetId>(t)), static_cast<TetId>(t)};
-    std::ranges::sort(by_cell_);
-  }
-  std::vector<TetId> of(std::int64_t cell) const {
-    std::vector<TetId> tets;
-    for (auto at = std::ranges::lower_bound(by_cell_, std::pair{cell, TetId{0}});
-         at != by_cell_.end() && at->first == cell; ++at)
-      tets.push_back(at->second);
-    return tets;
-  }
-
- private:
-  std::vector<std::pair<std::int64_t, TetId>> by_cell_;
-};
-
 }  // namespace
 
 std::string_view name_of(DifferenceKind kind) {
   constexpr std::array<std::string_view, kDifferenceKinds> kNames = {"missed", "invented", "label",
                                                                      "components", "shape"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::string_view name_of(WitnessKind kind) {
+  constexpr std::array<std::string_view, 4> kNames = {"edge", "face", "median", "across"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -137,7 +111,7 @@ std::vector<Difference> audit(const TensorField& field, const FeatureTable& tabl
   });
   find_labels(table, all);
 
-  const TetsOfCells tets(field);
+  const detail::TetsOfCells tets(field);
   tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t n) {
     if (options.interrupted != nullptr && options.interrupted->load()) return;
     Difference& d = all[n];

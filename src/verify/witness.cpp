@@ -2,44 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "witness.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "tet_chart.hpp"
+
 namespace triplex::detail {
 namespace {
 
-// Barycentric: what is nearer to an edge or face than that lies on it. Mesh points on edges are
-// roots rounded to doubles, a thousand times nearer in any mesh whose tets doubles can tell apart.
-constexpr double kOn = 1e-9;
 constexpr std::size_t kPiecesAsked = 8;  // triangles of each side that segments are laid across
-
-using Barycentric = std::array<double, 4>;
-
-/// Positions to barycentric coordinates in a tet; rounded.
-class TetChart {
- public:
-  TetChart(const TensorField& field, TetId tet) {
-    const auto& vertices = field.mesh.tets[index(tet)];
-    const auto x = [&](int i) {
-      return Eigen::Map<const Eigen::Vector3d>(field.mesh.points[index(vertices[i])].data());
-    };
-    origin_ = x(0);
-    Eigen::Matrix3d edges;
-    edges << x(1) - origin_, x(2) - origin_, x(3) - origin_;
-    inverse_ = edges.inverse();
-  }
-  Barycentric of(const Point& point) const {
-    const Eigen::Vector3d b =
-        inverse_ * (Eigen::Map<const Eigen::Vector3d>(point.data()) - origin_);
-    return {1 - b[0] - b[1] - b[2], b[0], b[1], b[2]};
-  }
-
- private:
-  Eigen::Vector3d origin_;
-  Eigen::Matrix3d inverse_;
-};
 
 /// How often a mesh crosses something, by the two ways of counting points that coincide.
 struct Hits {
@@ -50,7 +22,8 @@ struct Hits {
 Hits count(std::vector<double> at) {
   std::ranges::sort(at);
   Hits hits{static_cast<int>(at.size()), 0};
-  for (std::size_t n = 0; n < at.size(); ++n) hits.merged += n == 0 || at[n] - at[n - 1] > kOn;
+  for (std::size_t n = 0; n < at.size(); ++n)
+    hits.merged += n == 0 || at[n] - at[n - 1] > kOnSimplex;
   return hits;
 }
 
@@ -77,7 +50,8 @@ Hits hits_on_edge(const SourcePieces& pieces, std::int64_t cell, const TetChart&
   for (const std::uint32_t v : points_of(pieces, cell)) {
     const Barycentric b = chart.of(pieces.mesh().points[v]);
     bool on = true;
-    for (int k = 0; k < 4; ++k) on = on && (k == i || k == j ? b[k] > -kOn : std::fabs(b[k]) < kOn);
+    for (int k = 0; k < 4; ++k)
+      on = on && (k == i || k == j ? b[k] > -kOnSimplex : std::fabs(b[k]) < kOnSimplex);
     if (on) at.push_back(b[j]);
   }
   return count(std::move(at));
@@ -88,8 +62,8 @@ Hits hits_on_face(const SourcePieces& pieces, std::int64_t cell, const TetChart&
   std::vector<double> at;
   for (const std::uint32_t v : points_of(pieces, cell)) {
     const Barycentric b = chart.of(pieces.mesh().points[v]);
-    bool on = std::fabs(b[i]) < kOn;
-    for (int k = 0; k < 4; ++k) on = on && b[k] > -kOn;
+    bool on = std::fabs(b[i]) < kOnSimplex;
+    for (int k = 0; k < 4; ++k) on = on && b[k] > -kOnSimplex;
     if (on) at.push_back(b[(i + 1) % 4] + 2 * b[(i + 2) % 4]);
   }
   return count(std::move(at));
@@ -110,7 +84,8 @@ Hits hits_on_segment(const SourcePieces& pieces, std::int64_t cell, const Point&
     m << x(1) - x(0), x(2) - x(0), -d;
     const Eigen::Vector3d s = m.inverse() * (a - x(0));
     if (!s.allFinite() || s[2] < 0 || s[2] > 1) continue;
-    if (s[0] > -kOn && s[1] > -kOn && s[0] + s[1] < 1 + kOn) at.push_back(s[2]);
+    if (s[0] > -kOnSimplex && s[1] > -kOnSimplex && s[0] + s[1] < 1 + kOnSimplex)
+      at.push_back(s[2]);
   }
   return count(std::move(at));
 }
@@ -141,9 +116,10 @@ struct Case {
   std::span<const TetId> tets;
   const SourcePieces &reference, &other;
 
-  Witness witness(const TetSegment& s, int exact, const Hits& in_reference,
+  Witness witness(WitnessKind kind, const TetSegment& s, int exact, const Hits& in_reference,
                   const Hits& in_other) const {
-    return {s.tet,
+    return {kind,
+            s.tet,
             {position_of(field, s.tet, s.ends[0]), position_of(field, s.tet, s.ends[1])},
             exact,
             in_reference.nearest_to(exact),
@@ -169,13 +145,13 @@ void ask_edges(const Case& c, Hearing& hearing) {
         const auto found = crossings_on(c.field, c.table, c.feature, s);
         if (!found) continue;
         const int exact = static_cast<int>(found->size());
-        hearing.add(c.witness(s, exact, reference, other), reference.agrees_with(exact),
-                    other.agrees_with(exact));
+        hearing.add(c.witness(WitnessKind::Edge, s, exact, reference, other),
+                    reference.agrees_with(exact), other.agrees_with(exact));
       }
   }
 }
 
-void ask_segment(const Case& c, const TetSegment& s, Hearing& hearing) {
+void ask_segment(const Case& c, WitnessKind kind, const TetSegment& s, Hearing& hearing) {
   const Point from = position_of(c.field, s.tet, s.ends[0]);
   const Point to = position_of(c.field, s.tet, s.ends[1]);
   const Hits reference = hits_on_segment(c.reference, c.cell, from, to);
@@ -184,7 +160,7 @@ void ask_segment(const Case& c, const TetSegment& s, Hearing& hearing) {
   const auto found = crossings_on(c.field, c.table, c.feature, s);
   if (!found) return;
   const int exact = static_cast<int>(found->size());
-  hearing.add(c.witness(s, exact, reference, other), reference.agrees_with(exact),
+  hearing.add(c.witness(kind, s, exact, reference, other), reference.agrees_with(exact),
               other.agrees_with(exact));
 }
 
@@ -195,13 +171,14 @@ void ask_medians(const Case& c, Hearing& hearing) {
     for (int i = 0; i < 4; ++i) {
       Barycentric middle = {kThird, kThird, kThird, kThird};
       middle[i] = 0;
-      ask_segment(c, {tet, {corner(i), weights_near(middle)}}, hearing);
+      ask_segment(c, WitnessKind::Median, {tet, {corner(i), weights_near(middle)}}, hearing);
     }
     for (int i = 1; i < 4; ++i) {
       Barycentric one = {0.5, 0, 0, 0}, opposite = {0, 0.5, 0.5, 0.5};
       one[i] = 0.5;
       opposite[i] = 0;
-      ask_segment(c, {tet, {weights_near(one), weights_near(opposite)}}, hearing);
+      ask_segment(c, WitnessKind::Median, {tet, {weights_near(one), weights_near(opposite)}},
+                  hearing);
     }
   }
 }
@@ -246,7 +223,7 @@ void ask_across(const Case& c, Hearing& hearing) {
         const TetChart chart(c.field, tet);
         if (const auto s = clip(tet, chart.of({middle[0], middle[1], middle[2]}),
                                 chart.of({beyond[0], beyond[1], beyond[2]})))
-          ask_segment(c, *s, hearing);
+          ask_segment(c, WitnessKind::Across, *s, hearing);
       }
     }
   }
@@ -264,7 +241,8 @@ void ask_faces(const Case& c, Hearing& hearing) {
       const auto winding = winding_on(c.field, tet, face);
       if (!winding) continue;
       const int exact = std::abs(*winding);
-      hearing.add({tet,
+      hearing.add({WitnessKind::Face,
+                   tet,
                    {position_of(c.field, tet, face[0]), position_of(c.field, tet, face[1])},
                    exact,
                    reference.merged,

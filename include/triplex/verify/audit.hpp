@@ -47,15 +47,30 @@ struct PieceTopology {
 enum class Ruling : std::uint8_t { Undecided, Reference, Other };
 std::string_view name_of(Ruling ruling);
 
+/// Where a witness was found.
+enum class WitnessKind : std::uint8_t {
+  Edge,    ///< an edge of the input: mesh points lie on it
+  Face,    ///< a face of the input: points of the curve lie on it
+  Median,  ///< a segment through the middle of a tet: triangles cross it
+  Across   ///< a segment across a piece of a mesh, right through its tet: triangles cross it
+};
+std::string_view name_of(WitnessKind kind);
+
 /// A segment on which the two meshes are crossed a different number of times, and exactly one of
 /// them as often as the field. Of the curve: a face, of which the first two corners are given, the
 /// winding number of (p, q) around it and the numbers of points on it, which agree with it if they
 /// have its parity.
 struct Witness {
+  WitnessKind kind = WitnessKind::Edge;
   TetId tet{};
   std::array<Point, 2> ends{};
   int exact = 0;
   int reference = 0, other = 0;
+
+  /// What the two sides have there is a matter of topology: their points on edges and faces are
+  /// points of the true surface. Inside tets flat triangles stand for it, and may pass on the other
+  /// side of a segment.
+  bool is_proof() const { return kind == WitnessKind::Edge || kind == WitnessKind::Face; }
 };
 
 struct Difference {

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "audit_report.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "version.hpp"
+
+namespace triplex::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The cells of the input where a feature differs, by kind, by ruling, and by who vouches for them.
+struct Tally {
+  std::array<std::uint64_t, kDifferenceKinds> kinds{};
+  std::array<std::uint64_t, 3> rulings{};
+  std::uint64_t robust_open = 0, other_open = 0, total = 0;
+};
+Tally tally(const AuditResult& result, Feature f) {
+  Tally t;
+  for (const Difference& d : result.differences) {
+    if (d.feature != f) continue;
+    ++t.total;
+    ++t.kinds[static_cast<std::size_t>(d.kind)];
+    ++t.rulings[static_cast<std::size_t>(d.ruling)];
+    t.robust_open += d.reference_open;
+    t.other_open += d.other_open;
+  }
+  return t;
+}
+
+Json summary_json(const RoadSummary& s, std::uint64_t open) {
+  Json json = {{s.is_curve ? "segments" : "triangles", s.cells},
+               {"vertices", s.vertices},
+               {"components", s.betti.b0},
+               {"euler", s.euler},
+               {"betti", {s.betti.b0, s.betti.b1, s.betti.b2}},
+               {s.is_curve ? "length" : "area", s.measure},
+               {"open_tets", open}};
+  if (s.is_curve) return json;
+  Json defects = Json::object();
+  for (std::size_t k = 0; k < kDefectKinds; ++k)
+    defects[std::string(name_of(static_cast<DefectKind>(k)))] = s.defects[k];
+  json["defects"] = defects;
+  return json;
+}
+
+Json distance_json(const std::optional<DirectedDistance>& d) {
+  if (!d) return nullptr;
+  // JSON has no infinity: one side is empty.
+  const auto number = [](double x) { return x <= 1e300 ? Json(x) : Json("infinity"); };
+  return {{"lower", number(d->lower)}, {"upper", number(d->upper)}, {"from", d->from}};
+}
+
+Json feature_json(const AuditResult& result, const FeatureAudit& f) {
+  const Tally t = tally(result, f.feature);
+  Json cells = {{"total", t.total}};
+  for (std::size_t k = 0; k < kDifferenceKinds; ++k)
+    cells[std::string(name_of(static_cast<DifferenceKind>(k)))] = t.kinds[k];
+  return {
+      {"robust", summary_json(f.robust, f.robust_open)},
+      {"other", summary_json(f.other, f.other_open)},
+      {"distance_robust_to_other", distance_json(f.missing)},
+      {"distance_other_to_robust", distance_json(f.extra)},
+      {"differing_tets", cells},
+      {"differing_and_open", {{"robust", t.robust_open}, {"other", t.other_open}}},
+      {"right", {{"robust", t.rulings[1]}, {"other", t.rulings[2]}, {"undecided", t.rulings[0]}}}};
+}
+
+Json difference_json(const AuditResult& result, const Difference& d) {
+  const auto pieces = [](const PieceTopology& p) {
+    return Json{{"components", p.components}, {"euler", p.euler}, {"boundary", p.boundary}};
+  };
+  Json json = {{"tet", d.source_cell},
+               {"feature", result.table.row(d.feature).name},
+               {"kind", name_of(d.kind)},
+               {"robust", pieces(d.reference)},
+               {"other", pieces(d.other)},
+               {"robust_open", d.reference_open},
+               {"other_open", d.other_open},
+               {"right", d.ruling == Ruling::Reference ? "robust" : name_of(d.ruling)}};
+  if (d.witness)
+    json["witness"] = {{"kind", name_of(d.witness->kind)},
+                       {"ends", d.witness->ends},
+                       {"exact", d.witness->exact},
+                       {"robust", d.witness->reference},
+                       {"other", d.witness->other}};
+  return json;
+}
+
+Json cost_json(const RoadCost& cost) {
+  return {{"seconds", cost.seconds}, {"bytes", cost.bytes ? Json(*cost.bytes) : Json(nullptr)}};
+}
+
+std::string distance_text(const std::optional<DirectedDistance>& d) {
+  if (!d) return "-";
+  return d->upper <= 1e300 ? fmt::format("{:.3g}", d->upper) : "inf";
+}
+
+std::string cost_line(std::string_view name, const RoadCost& cost) {
+  return fmt::format(
+      "{}: {:.2f} s{}\n", name, cost.seconds,
+      cost.bytes ? fmt::format(", {:.0f} MiB", static_cast<double>(*cost.bytes) / 0x1p20) : "");
+}
+
+}  // namespace
+
+bool refutes_certificate(const AuditResult& result) {
+  return std::ranges::any_of(result.differences, [](const Difference& d) {
+    return d.ruling == Ruling::Other && !d.reference_open && d.witness && d.witness->is_proof();
+  });
+}
+
+Json audit_json(const AuditRequest& request, const AuditResult& result) {
+  Json features = Json::object(), differences = Json::array(), left_out = Json::array();
+  for (const FeatureAudit& f : result.features)
+    features[result.table.row(f.feature).name] = feature_json(result, f);
+  for (const Difference& d : result.differences) differences.push_back(difference_json(result, d));
+  for (const Feature f : result.left_out) left_out.push_back(result.table.row(f).name);
+  Json options = Json::object();
+  add_to_json(request.features, options);
+  options.update({{"against", request.against},
+                  {"tolerance", request.tolerance},
+                  {"max_depth", request.max_depth},
+                  {"samples", request.samples},
+                  {"max_bisections", request.max_bisections},
+                  {"threads", request.threads}});
+  return {{"version", kVersion},
+          {"field", {{"file", request.field}, {"tets", result.tets}}},
+          {"options", options},
+          {"cost", {{"robust", cost_json(result.robust)}, {"other", cost_json(result.other)}}},
+          {"features", features},
+          {"left_out", left_out},
+          {"certificate_refuted", refutes_certificate(result)},
+          {"differences", differences}};
+}
+
+std::string audit_table(const AuditRequest& request, const AuditResult& result) {
+  std::size_t width = 18;
+  for (const FeatureAudit& f : result.features)
+    width = std::max(width, result.table.row(f.feature).name.size());
+  std::string text;
+  const auto out = std::back_inserter(text);
+  const auto both = [](auto a, auto b) { return fmt::format("{}/{}", a, b); };
+  fmt::format_to(out, "robust against {}, robust/{} in each column\n", request.against,
+                 request.against);
+  fmt::format_to(out, "{:<{}} {:>15} {:>11} {:>13} {:>9} {:>9} {:>19} {:>11}\n", "feature", width,
+                 "cells", "components", "euler", "cracks", "non-manif.", "distance", "open tets");
+  for (const FeatureAudit& f : result.features) {
+    const auto cracks = [](const RoadSummary& s) {
+      return s.defects[static_cast<std::size_t>(DefectKind::OpenEdge)] +
+             s.defects[static_cast<std::size_t>(DefectKind::Crack)];
+    };
+    const auto nonmanifold = [](const RoadSummary& s) {
+      return s.defects[static_cast<std::size_t>(DefectKind::NonmanifoldEdge)];
+    };
+    fmt::format_to(
+        out, "{:<{}} {:>15} {:>11} {:>13} {:>9} {:>9} {:>19} {:>11}\n",
+        result.table.row(f.feature).name, width, both(f.robust.cells, f.other.cells),
+        both(f.robust.betti.b0, f.other.betti.b0), both(f.robust.euler, f.other.euler),
+        both(cracks(f.robust), cracks(f.other)), both(nonmanifold(f.robust), nonmanifold(f.other)),
+        both(distance_text(f.missing), distance_text(f.extra)), both(f.robust_open, f.other_open));
+  }
+  fmt::format_to(out, "\ntets where the topology differs, and who is right by exact arithmetic\n");
+  fmt::format_to(out, "{:<{}} {:>8} {:>8} {:>8} {:>8} {:>10} {:>8}   {:>8} {:>8} {:>9}\n",
+                 "feature", width, "tets", "missed", "invented", "label", "components", "shape",
+                 "robust", "other", "undecided");
+  for (const FeatureAudit& f : result.features) {
+    const Tally t = tally(result, f.feature);
+    fmt::format_to(out, "{:<{}} {:>8} {:>8} {:>8} {:>8} {:>10} {:>8}   {:>8} {:>8} {:>9}\n",
+                   result.table.row(f.feature).name, width, t.total, t.kinds[0], t.kinds[1],
+                   t.kinds[2], t.kinds[3], t.kinds[4], t.rulings[1], t.rulings[2], t.rulings[0]);
+  }
+  for (const Feature f : result.left_out)
+    fmt::format_to(out, "{}: a curve of symmetric tensors, not compared\n",
+                   result.table.row(f).name);
+  text += "\n" + cost_line("robust", result.robust) + cost_line(request.against, result.other);
+  if (refutes_certificate(result))
+    text += "exact arithmetic refutes a certified tet: please report this field\n";
+  return text;
+}
+
+}  // namespace triplex::cli
