@@ -192,8 +192,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--tensor", options.tensor, "name of the point array of the tensors");
   app.add_option("--max-bisections", options.extraction.max_bisections,
-                 "bisections that one tet may ask for")
-      ->capture_default_str();
+                 "bisections that one tet may ask for");
   app.add_option("--threads", options.extraction.threads, "threads of each extraction; 0: all")
       ->capture_default_str();
   try {

@@ -116,6 +116,7 @@ AuditResult compare_roads(const TensorField& field, const RequestedFeatures& req
   AuditResult result;
   result.table = requested.table;
   result.tets = field.mesh.tets.size();
+  result.max_bisections = extraction.refinement.max_bisections;
   for (const Feature f : reading_order(requested.set)) {
     if (contains(extraction.curves, f)) {
       result.left_out.push_back(f);
@@ -180,7 +181,6 @@ ExitCode run_audit(const AuditRequest& request) {
 
 void add_audit(CLI::App& program, Action& action) {
   auto request = std::make_shared<AuditRequest>();
-  request->max_bisections = ExtractionOptions{}.max_bisections;
   request->max_depth = APatchOptions{}.max_depth;
   CLI::App* const command = program.add_subcommand(
       "audit", "Compare the certified extraction with a fast one, per feature and per tet.");
@@ -205,8 +205,7 @@ void add_audit(CLI::App& program, Action& action) {
       ->add_option("--max-bisections", request->max_bisections,
                    "Bisections that one tet may ask for before it is listed as unresolved")
       ->check(CLI::Range(0u, 1'000'000u))
-      ->type_name("N")
-      ->capture_default_str();
+      ->type_name("N");
   command
       ->add_option("--tolerance", request->tolerance,
                    "Of the distances, relative to the diagonal of the domain; 0: no distances")

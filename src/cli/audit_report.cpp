@@ -129,7 +129,7 @@ Json audit_json(const AuditRequest& request, const AuditResult& result) {
                   {"tolerance", request.tolerance},
                   {"max_depth", request.max_depth},
                   {"samples", request.samples},
-                  {"max_bisections", request.max_bisections},
+                  {"max_bisections", result.max_bisections},
                   {"threads", request.threads}});
   return {{"version", kVersion},
           {"field", {{"file", request.field}, {"tets", result.tets}}},

@@ -27,7 +27,7 @@ struct AuditRequest {
   double tolerance = 1e-3;  ///< of distances, relative to the diagonal of the domain
   int max_depth = 0;
   int samples = 1;
-  std::uint32_t max_bisections = 0;
+  std::optional<std::uint32_t> max_bisections;  ///< nothing: the default
   unsigned threads = 0;
   bool meshes = false;
   bool quiet = false;
@@ -51,6 +51,7 @@ struct RoadCost {
 struct AuditResult {
   FeatureTable table;
   std::size_t tets = 0;
+  std::uint32_t max_bisections = 0;
   std::vector<FeatureAudit> features;  ///< in reading order
   std::vector<Feature> left_out;       ///< curves on one side and surfaces on the other
   std::vector<Difference> differences;

@@ -175,7 +175,6 @@ std::vector<MeshFormat> parse_formats(const std::vector<std::string>& names) {
 void add_extract(CLI::App& program, Action& action) {
   auto request = std::make_shared<ExtractRequest>();
   auto formats = std::make_shared<std::vector<std::string>>();
-  request->max_bisections = ExtractionOptions{}.max_bisections;
   CLI::App* const command = program.add_subcommand(
       "extract",
       "Extract the feature surfaces and the triple degenerate curve, with certificates.");
@@ -201,11 +200,12 @@ void add_extract(CLI::App& program, Action& action) {
   add_periodic_option(*command, request->periodic,
                       "Opposite sides across these axes are one; their tensors must be equal");
   command
-      ->add_option("--max-bisections", request->max_bisections,
-                   "Bisections that one tet may ask for before it is listed as unresolved")
+      ->add_option(
+          "--max-bisections", request->max_bisections,
+          "Bisections that one tet may ask for before it is listed as unresolved; without it "
+          "1024, or its share of 65536 in a field of less than 64 tets")
       ->check(CLI::Range(0u, 1'000'000u))
-      ->type_name("N")
-      ->capture_default_str();
+      ->type_name("N");
   command->add_option("--threads", request->threads, "Threads; 0: all cores")
       ->check(CLI::Range(0u, 4096u))
       ->type_name("N")

@@ -50,7 +50,7 @@ Json field_json(const ExtractRequest& request, const TensorField& field) {
             {"pyramids", field.split.pyramids}}}};
 }
 
-Json options_json(const ExtractRequest& request) {
+Json options_json(const ExtractRequest& request, const Extraction& extraction) {
   std::vector<std::string_view> formats;
   for (const MeshFormat format : request.formats) formats.push_back(name_of(format));
   Json json = Json::object();
@@ -60,7 +60,7 @@ Json options_json(const ExtractRequest& request) {
                {"periodic", request.periodic},
                {"symmetric", request.symmetric},
                {"domains", request.domains},
-               {"max_bisections", request.max_bisections},
+               {"max_bisections", extraction.refinement.max_bisections},
                {"threads", request.threads},
                {"tensor", request.reading.tensor_name},
                {"gradient_of", request.reading.gradient_of},
@@ -200,7 +200,7 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
   report["certified"] = extraction.certified();
   report["version"] = kVersion;
   report["field"] = field_json(request, field);
-  report["options"] = options_json(request);
+  report["options"] = options_json(request, extraction);
   report["certificates"] = {{"exclusion", proofs.exclusion},
                             {"graph", proofs.graph},
                             {"spine", proofs.spine},

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,7 @@ struct ExtractRequest {
   std::vector<std::string> arrays;  ///< names of further point arrays
   std::vector<MeshFormat> formats = {MeshFormat::Vtp};
   std::vector<std::string> periodic;  ///< axes
-  std::uint32_t max_bisections = 0;
+  std::optional<std::uint32_t> max_bisections;  ///< nothing: the default
   unsigned threads = 0;
   bool symmetric = false;  ///< take the symmetric parts of the tensors
   bool domains = false;

@@ -152,13 +152,17 @@ FeatureSet certified_features(const ExtractionOptions& options, FeatureSet curve
   return all & ~curves;
 }
 
+std::uint32_t budget_of(const ExtractionOptions& options, const TensorField& field) {
+  return options.max_bisections.value_or(default_budget(field.mesh.tets.size()));
+}
+
 RefineOptions refine_options(const ExtractionOptions& options, FeatureSet certified,
                              const TensorField& field) {
   RefineOptions r;
   r.table = options.table;
   r.features = certified;
   r.periodic = options.periodic;
-  r.max_bisections = options.max_bisections;
+  r.max_bisections = budget_of(options, field);
   r.max_tets = kGrowth * field.mesh.tets.size() + kRoom;
   r.interrupted = options.interrupted;
   if (options.progress) r.progress = [&](double done) { options.progress("certify", done); };
@@ -204,9 +208,11 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
 
   result.sign_stages = stages;
   result.certificates = count_certificates(complex, certified);
-  result.refinement = {complex.rounds, complex.bisections, complex.leaves.size()};
+  result.refinement = {complex.rounds, complex.bisections, complex.leaves.size(),
+                       budget_of(options, field)};
   result.identical = find_identical(field, complex.field);
-  result.unresolved = unresolved_tets(field, complex, result.nodes, result.identical, options);
+  result.unresolved = unresolved_tets(field, complex, result.nodes, result.identical, options.table,
+                                      result.refinement.max_bisections);
   result.open_cells = open_cells(field, complex);
   if (result.curves != 0) {
     result.timing.extract_s += watch.lap();

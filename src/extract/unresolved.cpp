@@ -90,8 +90,12 @@ std::string reason_of(const UnresolvedTet& tet, Obstacle obstacle, bool has_node
                       bool hit_size_limit, std::uint32_t most_bisections) {
   std::string reason = has_node ? "contains a node; " : "";
   reason += describe(obstacle);
-  reason += hit_size_limit ? "; the refined mesh reached its size limit"
-                           : fmt::format("; budget of {} bisections spent", most_bisections);
+  if (hit_size_limit)
+    reason += "; the refined mesh reached its size limit";
+  else if (tet.bisections < most_bisections)
+    reason += "; its vertices are as near to each other as their weights allow";
+  else
+    reason += fmt::format("; budget of {} bisections spent", most_bisections);
   for (int i = 0; i < kIdentities; ++i) {
     const auto identity = static_cast<Identity>(i);
     if (tet.touches & bit(identity))
@@ -106,7 +110,8 @@ std::string reason_of(const UnresolvedTet& tet, Obstacle obstacle, bool has_node
 std::vector<UnresolvedTet> unresolved_tets(const TensorField& input, const RefinedComplex& complex,
                                            const std::vector<Node>& nodes,
                                            const IdenticalSimplices& identical,
-                                           const ExtractionOptions& options) {
+                                           const FeatureTable& table,
+                                           std::uint32_t max_bisections) {
   const std::vector<TetId> with_nodes = tets_with_nodes(nodes);
   const std::vector<std::uint32_t> open = open_leaves(complex);
   std::vector<UnresolvedTet> result;
@@ -123,12 +128,12 @@ std::vector<UnresolvedTet> unresolved_tets(const TensorField& input, const Refin
     }
     const auto leaves = std::span(open).subspan(begin, end - begin);
     add_place(complex, leaves, tet);
-    tet.margin = margin_of(complex, leaves, options.table);
+    tet.margin = margin_of(complex, leaves, table);
     tet.bisections = complex.asked_for[index(id)];
     for (const VertexId v : input.mesh.tets[index(id)])
       tet.touches |= identical.at_points[index(v)];
     tet.reason = reason_of(tet, gravest, std::ranges::binary_search(with_nodes, id),
-                           complex.hit_size_limit, options.max_bisections);
+                           complex.hit_size_limit, max_bisections);
     result.push_back(std::move(tet));
     begin = end;
   }

@@ -1,26 +1,19 @@
 // SPDX-FileCopyrightText: The Triplex authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Random linear fields are in general position, so refinement ends: nothing is left unresolved.
+// Random linear fields are in general position, so refinement ends: nothing is left unresolved
+// with the budget that small fields have.
 #include <gtest/gtest.h>
 
+#include "triplex/extract/extraction.hpp"
 #include "triplex/field/generators.hpp"
-#include "triplex/refine/refine.hpp"
 
 namespace triplex {
 namespace {
 
-std::size_t open_leaves(const TensorField& field) {
-  RefineOptions options;
-  options.max_bisections = 16384;  // more than any of these asks for
-  std::size_t open = 0;
-  for (const Leaf& leaf : refine(field, options).leaves) open += leaf.open != 0;
-  return open;
-}
-
 TEST(RandomFields, OnOneTetAreResolved) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed)
-    EXPECT_EQ(open_leaves(generate_noise_on_tet(seed)), 0u) << seed;
+    EXPECT_TRUE(extract(generate_noise_on_tet(seed)).certified()) << seed;
 }
 
 /// Leaves that become flat along an edge that is never cut; midpoints of edges at nodes too close
@@ -28,7 +21,7 @@ TEST(RandomFields, OnOneTetAreResolved) {
 TEST(RandomFields, ThatWereHardAreResolved) {
   for (const std::uint64_t seed :
        {73, 81, 92, 154, 177, 346, 377, 784, 829, 865, 1856, 2117, 3043, 4028, 4445, 4543})
-    EXPECT_EQ(open_leaves(generate_noise_on_tet(seed)), 0u) << seed;
+    EXPECT_TRUE(extract(generate_noise_on_tet(seed)).certified()) << seed;
 }
 
 TEST(RandomFields, OnACubeAreResolved) {
@@ -36,8 +29,18 @@ TEST(RandomFields, OnACubeAreResolved) {
     GridOptions grid;
     grid.n = 1;
     grid.seed = seed;
-    EXPECT_EQ(open_leaves(generate_random_linear(grid)), 0u) << seed;
+    EXPECT_TRUE(extract(generate_random_linear(grid)).certified()) << seed;
   }
+}
+
+TEST(DefaultBudget, IsSharedByFewTets) {
+  EXPECT_EQ(default_budget(1), 65536u);
+  EXPECT_EQ(default_budget(6), 65536u / 6);
+  EXPECT_EQ(default_budget(64), 1024u);
+  EXPECT_EQ(default_budget(1'500'000), 1024u);
+  GridOptions grid;
+  grid.n = 1;
+  EXPECT_EQ(extract(generate_random_linear(grid)).refinement.max_bisections, 65536u / 6);
 }
 
 }  // namespace

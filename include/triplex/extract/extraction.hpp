@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +40,7 @@ struct SpineAccuracy {
 
 struct RefinementStatistics {
   std::uint64_t rounds = 0, bisections = 0, tets = 0;
+  std::uint32_t max_bisections = 0;  ///< that one tet of the input may ask for
 };
 
 /// Seconds of wall time: refinement with certification, the search for nodes, the degenerate curves
@@ -48,6 +51,14 @@ struct ExtractionTiming {
 
 /// Called from the calling thread between steps: name of the step, done in [0,1] or < 0 if unknown.
 using ProgressCallback = std::function<void(std::string_view step, double done)>;
+
+/// The bisections that one tet may ask for in a field of so many tets: 1024, or its share of 65536
+/// if that is more, as a tet that holds the whole topology of a field may need more than one of
+/// many. Source: docs/decisions/0014-budget-of-1024.md.
+constexpr std::uint32_t default_budget(std::size_t tets) {
+  constexpr std::size_t kEach = 1024, kTogether = 65536;
+  return static_cast<std::uint32_t>(std::max(kEach, kTogether / std::max<std::size_t>(tets, 1)));
+}
 
 struct ExtractionOptions {
   FeatureTable table;
@@ -60,8 +71,9 @@ struct ExtractionOptions {
   bool keep_tensors = false;
   /// Fill `Extraction::domains`. All pages of the table and the curve are certified then.
   bool domains = false;
-  /// Bisections that one tet of the input may ask for before it is reported as unresolved.
-  std::uint32_t max_bisections = 1024;
+  /// Bisections that one tet of the input may ask for before it is reported as unresolved. Nothing:
+  /// `default_budget`.
+  std::optional<std::uint32_t> max_bisections;
   /// 0: all cores.
   unsigned threads = 0;
   ProgressCallback progress;
