@@ -44,6 +44,12 @@ struct Piece {
   }
 };
 
+Point centre(const Corners& c) {
+  Point p{};
+  for (std::size_t k = 0; k < 3; ++k) p[k] = c[0][k] / 3 + c[1][k] / 3 + c[2][k] / 3;
+  return p;
+}
+
 class Search {
  public:
   Search(const MeshView& from, const SimplexTree& to, const DistanceOptions& options)
@@ -90,8 +96,18 @@ class Search {
     const auto& [a, b, c] = piece.corners;
     piece.upper = std::min(piece.upper, std::max({a.distance, b.distance, c.distance}) + radius);
     if (piece.upper <= enough) return;
-    const double limit = piece.upper * piece.upper;
-    piece.upper = std::sqrt(to_.squared_reach(piece.points(), limit, enough * enough));
+    const Corners points = piece.points();
+    double squared = piece.upper * piece.upper;
+    if (a.distance == 0 && b.distance == 0 && c.distance == 0) {
+      squared = std::min(squared, to_.least_squared_reach(points));  // few cells to look at
+    } else {
+      for (const Corner& corner : piece.corners) try_cell(points, corner.cell, squared);
+      if (squared > enough * enough) try_cell(points, to_.nearest(centre(points)).simplex, squared);
+    }
+    piece.upper = std::min(piece.upper, std::sqrt(squared));
+  }
+  void try_cell(const Corners& points, std::uint32_t cell, double& squared) const {
+    squared = std::min(squared, detail::squared_reach(points, to_.simplex(cell)));
   }
 
   template <class Work>

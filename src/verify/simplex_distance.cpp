@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simplex_distance.hpp"
 
+#include <algorithm>
+
 namespace triplex::detail {
 namespace {
 
@@ -38,6 +40,12 @@ Foot nearest_on_simplex(const Point& p, const Corners& simplex) {
   const Foot inner = foot_at(p, {a[0] + (s * u[0] + t * v[0]), a[1] + (s * u[1] + t * v[1]),
                                  a[2] + (s * u[2] + t * v[2])});
   return inner.squared < best.squared ? inner : best;
+}
+
+double squared_reach(const Corners& corners, const Corners& simplex) {
+  double reach = 0;
+  for (const Point& p : corners) reach = std::max(reach, nearest_on_simplex(p, simplex).squared);
+  return reach;
 }
 
 }  // namespace triplex::detail

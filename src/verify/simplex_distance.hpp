@@ -36,4 +36,8 @@ struct Foot {
 /// than rounding, as it is that to `point`.
 Foot nearest_on_simplex(const Point& p, const Corners& simplex);
 
+/// The largest squared distance of a point of the simplex spanned by `corners` to `simplex`: that
+/// of a corner, as the distance to a convex set is convex.
+double squared_reach(const Corners& corners, const Corners& simplex);
+
 }  // namespace triplex::detail

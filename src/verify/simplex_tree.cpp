@@ -105,22 +105,15 @@ struct NearestSearch : Search<NearestSearch> {
 
 struct ReachSearch : Search<ReachSearch> {
   Simplices simplices;
-  double best;
-  double enough;
+  double best = std::numeric_limits<double>::infinity();
 
-  ReachSearch(Simplices all, double limit, double stop)
-      : simplices(all), best(limit), enough(stop) {}
-  bool go_further() const { return best > enough; }
   double bound() const { return best; }
   double to_box(const Corners& corners, const CGAL::Bbox_3& box) const {
     return std::max({squared_to_box(corners[0], box), squared_to_box(corners[1], box),
                      squared_to_box(corners[2], box)});
   }
   void visit(const Corners& corners, std::uint32_t s) {
-    double reach = 0;
-    for (std::size_t i = 0; i < 3 && reach < best; ++i)
-      reach = std::max(reach, nearest_on_simplex(corners[i], (*simplices)[s]).squared);
-    best = std::min(best, reach);
+    best = std::min(best, squared_reach(corners, (*simplices)[s]));
   }
 };
 
@@ -171,8 +164,9 @@ std::optional<SimplexTree::Hit> SimplexTree::nearest_other(const Point& p, std::
   return search.best;
 }
 
-double SimplexTree::squared_reach(const Corners& corners, double limit, double enough) const {
-  ReachSearch search(simplices_.get(), limit, enough);
+double SimplexTree::least_squared_reach(const Corners& corners) const {
+  ReachSearch search;
+  search.simplices = simplices_.get();
   impl_->tree.traversal_with_priority(corners, search);
   return search.best;
 }

@@ -40,10 +40,8 @@ class SimplexTree {
   std::optional<Hit> nearest_other(const Point& p, std::uint32_t left_out, double limit) const;
 
   /// A squared bound on the distance from any point of the simplex spanned by `corners` to this
-  /// set: the least, over the simplices here, of the largest distance of a corner to it, which
-  /// bounds that of all points, as the distance to a convex set is convex. Ends early with
-  /// whatever is at most `enough`; `limit` if there is no less. \pre not empty.
-  double squared_reach(const Corners& corners, double limit, double enough) const;
+  /// set: the least of `squared_reach` over its simplices. \pre not empty.
+  double least_squared_reach(const Corners& corners) const;
 
  private:
   struct Impl;
