@@ -32,6 +32,7 @@ std::vector<Value> take_values(vtkDataArray* array, vtkIdType first, vtkIdType s
 
 RawCells take_cells(vtkPolyData& data, vtkCellArray& cells, vtkIdType first) {
   RawCells result;
+  if (!cells.IsValid()) throw BadInput("the offsets of its cells are damaged; write the file again");
   for (vtkIdType c = 0; c < cells.GetNumberOfCells(); ++c) {
     vtkIdType size = 0;
     const vtkIdType* points = nullptr;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <string_view>
 
@@ -24,6 +25,7 @@ std::string_view next_word(std::string_view& line) {
 template <class Number>
 Number number_in(std::string_view word, std::size_t line) {
   Number value{};
+  if (word.starts_with('+')) word.remove_prefix(1);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc() || end != word.data() + word.size())
     throw BadInput(fmt::format("line {}: '{}' is not a number; write the file again", line, word));

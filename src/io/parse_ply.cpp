@@ -6,7 +6,8 @@
 #include <array>
 #include <bit>
 #include <charconv>
-#include <cstring>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -146,6 +147,7 @@ class Numbers {
     const auto begin = rest_.find_first_not_of(" \t\r\n");
     if (begin == std::string_view::npos) return std::nullopt;
     rest_.remove_prefix(begin);
+    if (rest_.front() == '+') rest_.remove_prefix(1);
     double value = 0;
     const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
     if (error != std::errc()) return std::nullopt;
@@ -173,6 +175,7 @@ class Parser {
     const Header header = parse_header(content);
     Numbers numbers(content, header.encoding);
     for (const Element& element : header.elements) {
+      check(element);
       if (element.properties.empty()) continue;
       for (std::uint64_t n = 0; n < element.size; ++n) {
         begin(element);
@@ -187,6 +190,15 @@ class Parser {
   }
 
  private:
+  static void check(const Element& element) {
+    if (element.name == "tristrips")
+      throw BadInput("the file holds triangle strips; write it with triangles");
+    if (element.name != "vertex") return;
+    for (const std::string_view name : {"x", "y", "z"})
+      if (std::ranges::find(element.properties, name, &Property::name) == element.properties.end())
+        throw BadInput(fmt::format("vertices have no '{}'; write the file again", name));
+  }
+
   void begin(const Element& element) {
     if (element.name == "vertex") mesh_.points.emplace_back();
   }
@@ -210,8 +222,14 @@ class Parser {
       const double value = next(property.type);
       if (element.name == "face" &&
           (property.name == "vertex_indices" || property.name == "vertex_index"))
-        mesh_.polygons.points.push_back(static_cast<std::int64_t>(value));
+        mesh_.polygons.points.push_back(index(element, value));
     }
+  }
+
+  static std::int64_t index(const Element& element, double value) {
+    if (!(std::abs(value) <= std::numeric_limits<std::uint32_t>::max()))
+      throw BadInput(fmt::format("element {} uses point {}; repair the mesh", element.name, value));
+    return static_cast<std::int64_t>(value);
   }
 
   void take(const Element& element, const std::string& name, double value) {
@@ -219,7 +237,7 @@ class Parser {
       for (std::size_t k = 0; k < 3; ++k)
         if (name == std::array{"x", "y", "z"}[k]) mesh_.points.back()[k] = value;
     } else if (element.name == "edge" && (name == "vertex1" || name == "vertex2")) {
-      mesh_.polylines.points.push_back(static_cast<std::int64_t>(value));
+      mesh_.polylines.points.push_back(index(element, value));
     } else if (name == "certified") {
       if (element.name == "face") mesh_.polygons.certified.push_back(value != 0);
       if (element.name == "edge") mesh_.polylines.certified.push_back(value != 0);
