@@ -3,7 +3,7 @@
 
 # The parts of VTK that io and render use. Always with COMPONENTS: a bare find_package(VTK) asks for
 # Qt on some systems. Used by the build and by the installed package alike.
-set(TRIPLEX_VTK_IO CommonCore CommonDataModel CommonExecutionModel FiltersGeneral IOCore IOGeometry IOXML IOLegacy
+set(TRIPLEX_VTK_IO CommonCore CommonDataModel CommonExecutionModel FiltersGeneral IOCore IOXML IOLegacy
   IOParallelXML)
 set(TRIPLEX_VTK_RENDER CommonCore CommonDataModel FiltersCore FiltersSources IOImage IOXML
   RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2)

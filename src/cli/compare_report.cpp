@@ -180,8 +180,8 @@ std::string table_of(const ComparedFiles& files) {
 }
 
 std::string summary_header() {
-  return fmt::format("{:<30} {:>11} {:>11} {:>11} {:>11} {:>11} {:>9}  {}\n", "file", "components A",
-                     "components B", "betti A", "betti B", "distance", "tolerance", "");
+  return fmt::format("{:<30} {:>12} {:>12} {:>11} {:>11} {:>11} {:>9}\n", "file", "components A",
+                     "components B", "betti A", "betti B", "distance", "tolerance");
 }
 
 std::string summary_of(const std::string& name, const ComparedFiles& files) {

@@ -6,7 +6,6 @@
 #include <vtkFieldData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
-#include <vtkSTLReader.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include "raw_mesh.hpp"
@@ -72,18 +71,11 @@ RawMesh take_polydata(vtkDataObject* object) {
 
 RawMesh load_polydata(const fs::path& file) {
   const VtkMessages messages;
-  const std::string extension = lower_extension(file);
-  if (extension == ".vtp") {
+  if (lower_extension(file) == ".vtp") {
     const auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
     if (!reader->CanReadFile(file.c_str()))
       throw BadInput(
           "this is no .vtp file (VTK XML, polygonal data); check the extension or write it again");
-    reader->SetFileName(file.c_str());
-    return take_polydata(run_reader(*reader, file, messages));
-  }
-  if (extension == ".stl") {
-    const auto reader = vtkSmartPointer<vtkSTLReader>::New();
-    reader->MergingOff();
     reader->SetFileName(file.c_str());
     return take_polydata(run_reader(*reader, file, messages));
   }

@@ -2,44 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
 #include <string_view>
+#include <utility>
 
 #include "raw_mesh.hpp"
 #include "triplex/field/bad_input.hpp"
+#include "words.hpp"
 
 namespace triplex::detail {
 namespace {
 
-/// Takes the next word off a line; empty at its end.
-std::string_view next_word(std::string_view& line) {
-  constexpr std::string_view kSpace = " \t\r";
-  const auto begin = std::min(line.find_first_not_of(kSpace), line.size());
-  const auto end = std::min(line.find_first_of(kSpace, begin), line.size());
-  const std::string_view word = line.substr(begin, end - begin);
-  line.remove_prefix(end);
-  return word;
-}
-
-template <class Number>
-Number number_in(std::string_view word, std::size_t line) {
-  Number value{};
-  if (word.starts_with('+')) word.remove_prefix(1);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size())
-    throw BadInput(fmt::format("line {}: '{}' is not a number; write the file again", line, word));
-  return value;
-}
-
 class Parser {
  public:
   RawMesh run(std::string_view text) {
-    for (std::size_t number = 1; !text.empty(); ++number) {
-      const auto end = std::min(text.find('\n'), text.size());
-      parse_line(text.substr(0, end), number);
-      text.remove_prefix(std::min(end + 1, text.size()));
-    }
+    for (std::size_t number = 1; !text.empty(); ++number) parse_line(next_line(text), number);
     return std::move(mesh_);
   }
 

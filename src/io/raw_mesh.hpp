@@ -31,9 +31,11 @@ struct RawMesh {
   std::vector<std::int64_t> segment_source_cell;  ///< per segment of the polylines, or empty
 };
 
-// Each reads one kind of file. \throw BadInput, without the name of the file.
-RawMesh load_polydata(const std::filesystem::path& file);  // .vtp, .vtk, .stl, through VTK
+// Each reads one kind of file. VTK's readers of the last three round to floats, and lose edges or
+// do not notice that a file ends early. \throw BadInput, without the name of the file.
+RawMesh load_polydata(const std::filesystem::path& file);  // .vtp, .vtk, through VTK
 RawMesh parse_ply(const std::string& content);
 RawMesh parse_obj(const std::string& content);
+RawMesh parse_stl(const std::string& content);  // every triangle with points of its own
 
 }  // namespace triplex::detail

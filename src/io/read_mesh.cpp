@@ -35,10 +35,11 @@ RawMesh load(const fs::path& file) {
   if (!is_mesh_file(file))
     throw BadInput("unknown kind of file; give a .vtp, legacy .vtk, .ply, .obj or .stl file");
   detail::check_readable(file);
-  if (extension != ".ply" && extension != ".obj") return detail::load_polydata(file);
+  if (extension == ".vtp" || extension == ".vtk") return detail::load_polydata(file);
   std::ifstream in(file, std::ios::binary);
   const std::string content{std::istreambuf_iterator<char>(in), {}};
-  return extension == ".ply" ? detail::parse_ply(content) : detail::parse_obj(content);
+  if (extension == ".ply") return detail::parse_ply(content);
+  return extension == ".obj" ? detail::parse_obj(content) : detail::parse_stl(content);
 }
 
 void check_points(const RawMesh& mesh) {

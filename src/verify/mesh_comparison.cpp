@@ -208,7 +208,9 @@ MeshComparison compare_meshes(const MeshView& a, const MeshView& b,
     result.meshes[m].unmatched = unmatched_defects(result.meshes[m].defects, sides[1 - m],
                                                    result.meshes[1 - m].defects, options.tolerance);
   const DistanceOptions distance = {
-      .gap = options.gap > 0 ? options.gap : options.tolerance / 4, .check = options.check};
+      .gap = options.gap > 0 ? options.gap : options.tolerance / 4,
+      .threshold = options.tolerance,
+      .check = options.check};
   result.meshes[0].distance = directed_distance(a, b, distance);
   result.meshes[1].distance = directed_distance(b, a, distance);
   return result;

@@ -144,10 +144,16 @@ class Search {
     return pieces;
   }
 
-  /// Leaves those that may hold a point by more than the gap farther than the lower bound; also
+  /// A bound on a piece that makes it needless to cut it.
+  double enough_now() const {
+    const double enough = result_.lower + options_.gap;
+    return result_.lower <= options_.threshold ? std::min(enough, options_.threshold) : enough;
+  }
+
+  /// Leaves those that may hold a point too far away to be settled; also
   /// drops those that cannot be cut, as their corners have met in rounding.
   void keep_open(std::vector<Piece>& pieces) {
-    const double enough = result_.lower + options_.gap;
+    const double enough = enough_now();
     std::erase_if(pieces, [&](const Piece& piece) {
       if (piece.upper > enough && can_be_cut(piece)) return false;
       settled_ = std::max(settled_, piece.upper);
@@ -201,7 +207,7 @@ class Search {
   /// The two parts of each.
   std::vector<Piece> cut(const std::vector<Piece>& pieces) {
     std::vector<Piece> parts(2 * pieces.size());
-    const double enough = result_.lower + options_.gap;
+    const double enough = enough_now();
     in_parallel(pieces.size(), [&](std::size_t i) {
       const std::size_t side = side_to_cut(pieces[i]);
       const std::size_t end = (side + 1) % 3;

@@ -199,6 +199,18 @@ TEST(MeshDistance, ALimitOnPiecesLeavesTheBoundsApartButRight) {
   EXPECT_GT(d.upper, d.lower + 1e-9);
 }
 
+TEST(MeshDistance, AThresholdIsDecidedBelowTheGap) {
+  const Mesh a = test::torus(20, 30), b = test::torus(23, 27);
+  const DirectedDistance fine = distance(a, b, 1e-4);
+  for (const double off : {-2e-4, 2e-4}) {
+    const double threshold = fine.lower + off;
+    const DirectedDistance d =
+        directed_distance(view_of(a), view_of(b), {.gap = 0.1, .threshold = threshold});
+    EXPECT_EQ(d.lower > threshold, off < 0);
+    EXPECT_EQ(d.upper <= threshold, off > 0);
+  }
+}
+
 TEST(MeshDistance, CanBeStopped) {
   struct Stop {};
   const Mesh a = test::square(3);

@@ -70,7 +70,7 @@ struct ComparisonOptions {
   /// lacking that are not near such an edge of the other mesh.
   std::function<bool(const Point&)> may_end = {};
   /// The bounds of the distances are brought this near to each other; 0: a quarter of the
-  /// tolerance.
+  /// tolerance. The tolerance does not come to lie between them, but for `max_pieces`.
   double gap = 0;
   /// As in `DistanceOptions`.
   std::function<void()> check = {};

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 
 #include "triplex/verify/mesh_view.hpp"
 
@@ -13,6 +14,9 @@ struct DistanceOptions {
   /// The bounds are brought this near to each other, in units of length; 0 for as near as
   /// `max_pieces` allows.
   double gap = 0;
+  /// Where `max_pieces` allows, whether the distance is at most this is decided: not lower <=
+  /// threshold < upper. Infinite: no such question.
+  double threshold = std::numeric_limits<double>::infinity();
   /// So many pieces of cells are looked at, at most.
   std::size_t max_pieces = 20'000'000;
   /// Called now and then; may throw to end the computation.
