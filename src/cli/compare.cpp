@@ -56,8 +56,7 @@ ComparedFiles compare_files(const std::array<std::string, 2>& files, const Compa
     throw_if_interrupted();
   }
   const std::array views = {view_of(meshes[0]), view_of(meshes[1])};
-  const double diagonal =
-      common_box(bounding_box(views[0]), bounding_box(views[1])).diagonal();
+  const double diagonal = common_box(bounding_box(views[0]), bounding_box(views[1])).diagonal();
   if (diagonal > 0 && diagonal < 1e-100)
     throw BadInput(files[0] + ": the meshes are smaller than 1e-100; choose other units");
   const Tolerance tolerance = parse_tolerance(request.tolerance);
@@ -70,7 +69,9 @@ ComparedFiles compare_files(const std::array<std::string, 2>& files, const Compa
 }
 
 nlohmann::ordered_json report_of(const CompareRequest& request, bool agree) {
-  return {{"agree", agree}, {"inputs", request.inputs}, {"only_in", {{"a", nlohmann::json::array()}, {"b", nlohmann::json::array()}}}};
+  return {{"agree", agree},
+          {"inputs", request.inputs},
+          {"only_in", {{"a", nlohmann::json::array()}, {"b", nlohmann::json::array()}}}};
 }
 
 void write_json(const CompareRequest& request, const nlohmann::ordered_json& report) {
@@ -100,11 +101,11 @@ std::vector<std::string> meshes_in(const std::string& directory) {
     if (entry.is_regular_file() && is_mesh_file(entry.path()) &&
         entry.path().filename() != "nodes.vtp")
       names.push_back(entry.path().filename().string());
-  if (error)
-    throw BadInput(directory + ": the directory cannot be read; check its permissions");
+  if (error) throw BadInput(directory + ": the directory cannot be read; check its permissions");
   if (names.empty())
-    throw BadInput(directory + ": there are no meshes in this directory; give one that triplex "
-                               "extract wrote");
+    throw BadInput(directory +
+                   ": there are no meshes in this directory; give one that triplex "
+                   "extract wrote");
   return names;
 }
 
@@ -148,8 +149,9 @@ ExitCode run_compare(const CompareRequest& request) {
   const std::array directory = {fs::is_directory(request.inputs[0]),
                                 fs::is_directory(request.inputs[1])};
   if (directory[0] != directory[1])
-    throw BadInput(request.inputs[directory[0] ? 0 : 1] +
-                   ": this is a directory and the other is none; give two files or two directories");
+    throw BadInput(
+        request.inputs[directory[0] ? 0 : 1] +
+        ": this is a directory and the other is none; give two files or two directories");
   return directory[0] ? compare_directories(request) : compare_two_files(request);
 }
 
@@ -161,10 +163,12 @@ void add_compare(CLI::App& program, Action& action) {
       "compare", "Compare two meshes of any origin: components, topology, defects, distance.");
   command->add_option("A", request->inputs[0], "Mesh (.vtp, .vtk, .ply, .obj, .stl), or directory")
       ->required();
-  command->add_option("B", request->inputs[1], "Mesh, or directory, to compare it with")->required();
+  command->add_option("B", request->inputs[1], "Mesh, or directory, to compare it with")
+      ->required();
   command
-      ->add_option("--tolerance", request->tolerance,
-                   "What counts as near: a length, or with suffix r a share of the diagonal of both")
+      ->add_option(
+          "--tolerance", request->tolerance,
+          "What counts as near: a length, or with suffix r a share of the diagonal of both")
       ->type_name("EPS")
       ->capture_default_str();
   command->add_option("--json", request->json, "Write all results here, for programs")

@@ -18,7 +18,9 @@ constexpr std::size_t kMostLines = 10;
 constexpr std::size_t kMostPlaces = 1000;
 constexpr std::array<const char*, 2> kNames = {"A", "B"};
 
-std::string to_text(const Point& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p[0], p[1], p[2]); }
+std::string to_text(const Point& p) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p[0], p[1], p[2]);
+}
 std::string to_text(const BettiNumbers& b) { return fmt::format("{} {} {}", b.b0, b.b1, b.b2); }
 std::string to_text(const DirectedDistance& d) {
   return d.lower == d.upper ? fmt::format("{:.4g}", d.upper)
@@ -43,10 +45,10 @@ Lines lone_components(const MeshComparison& c, std::size_t m) {
   Lines lines;
   for (const std::uint32_t i : c.meshes[m].alone) {
     const ComponentSummary& part = c.meshes[m].components[i];
-    lines.push_back(fmt::format("component {} of {} is not in {}: {} triangles, {} segments, lowest "
-                                "point {}",
-                                i, kNames[m], kNames[1 - m], part.size.triangles,
-                                part.size.segments, to_text(part.place)));
+    lines.push_back(fmt::format(
+        "component {} of {} is not in {}: {} triangles, {} segments, lowest "
+        "point {}",
+        i, kNames[m], kNames[1 - m], part.size.triangles, part.size.segments, to_text(part.place)));
   }
   return lines;
 }

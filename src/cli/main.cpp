@@ -40,7 +40,8 @@ void describe(CLI::App& program) {
       "  triplex render lorenz -o lorenz.png\n"
       "  triplex compare lorenz/neutral-real.vtp other.ply\n"
       "Exit codes: 0 certified, 1 bad input or usage, 2 done but with unresolved cells (of\n"
-      "  compare: but the meshes differ), 3 internal fault, 4 out of memory or disk, 130 interrupted.");
+      "  compare: but the meshes differ), 3 internal fault, 4 out of memory or disk, 130 "
+      "interrupted.");
 }
 
 // Reads the command line. Nothing: `action` is set. Else the program is done with that code.

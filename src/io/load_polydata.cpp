@@ -31,7 +31,8 @@ std::vector<Value> take_values(vtkDataArray* array, vtkIdType first, vtkIdType s
 
 RawCells take_cells(vtkPolyData& data, vtkCellArray& cells, vtkIdType first) {
   RawCells result;
-  if (!cells.IsValid()) throw BadInput("the offsets of its cells are damaged; write the file again");
+  if (!cells.IsValid())
+    throw BadInput("the offsets of its cells are damaged; write the file again");
   for (vtkIdType c = 0; c < cells.GetNumberOfCells(); ++c) {
     vtkIdType size = 0;
     const vtkIdType* points = nullptr;
@@ -41,8 +42,7 @@ RawCells take_cells(vtkPolyData& data, vtkCellArray& cells, vtkIdType first) {
   }
   vtkCellData& arrays = *data.GetCellData();
   const vtkIdType size = cells.GetNumberOfCells();
-  result.source_cell =
-      take_values<std::int64_t>(arrays.GetArray("SourceCellId"), first, size);
+  result.source_cell = take_values<std::int64_t>(arrays.GetArray("SourceCellId"), first, size);
   result.certified = take_values<std::uint8_t>(arrays.GetArray("Certified"), first, size);
   return result;
 }

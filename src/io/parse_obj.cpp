@@ -38,7 +38,8 @@ class Parser {
     const auto index = number_in<std::int64_t>(word.substr(0, word.find('/')), line);
     const auto points = static_cast<std::int64_t>(mesh_.points.size());
     if (index == 0 || index < -points)
-      throw BadInput(fmt::format("line {}: there is no point {}; write the file again", line, index));
+      throw BadInput(
+          fmt::format("line {}: there is no point {}; write the file again", line, index));
     return index > 0 ? index - 1 : points + index;
   }
 

@@ -62,8 +62,8 @@ struct Header {
 };
 
 [[noreturn]] void refuse_line(const std::string& line) {
-  throw BadInput(fmt::format("the line '{}' of the header is none of PLY; write the file again",
-                             line));
+  throw BadInput(
+      fmt::format("the line '{}' of the header is none of PLY; write the file again", line));
 }
 
 Property property_in(std::istringstream& words, const std::string& line) {
@@ -82,7 +82,8 @@ Header parse_header(std::string_view& content) {
   bool has_format = false;
   for (bool first = true;; first = false) {
     const auto end = content.find('\n');
-    if (end == std::string_view::npos) throw BadInput("the header has no end; write the file again");
+    if (end == std::string_view::npos)
+      throw BadInput("the header has no end; write the file again");
     std::string line(content.substr(0, end));
     content.remove_prefix(end + 1);
     if (!line.empty() && line.back() == '\r') line.pop_back();
@@ -211,9 +212,9 @@ class Parser {
     const auto next = [&](Scalar type) {
       const auto value = numbers.next(type);
       if (!value)
-        throw BadInput(fmt::format(
-            "the file ends, or holds no number, at '{}' of {} {} of {}; write it again",
-            property.name, element.name, n, element.size));
+        throw BadInput(
+            fmt::format("the file ends, or holds no number, at '{}' of {} {} of {}; write it again",
+                        property.name, element.name, n, element.size));
       return *value;
     };
     if (!property.count) return take(element, property.name, next(property.type));

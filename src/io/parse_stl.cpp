@@ -71,10 +71,10 @@ RawMesh parse_stl(const std::string& content) {
   if (content.size() == binary_size(content)) return parse_binary(content);
   if (content.starts_with("solid")) return parse_text(content);
   if (content.size() > binary_size(content)) return parse_binary(content);
-  throw BadInput(
-      fmt::format("this is no .stl file, or not the whole of one: it has {} bytes, but by its header "
-                  "{}; write it again",
-                  content.size(), binary_size(content)));
+  throw BadInput(fmt::format(
+      "this is no .stl file, or not the whole of one: it has {} bytes, but by its header "
+      "{}; write it again",
+      content.size(), binary_size(content)));
 }
 
 }  // namespace triplex::detail

@@ -55,13 +55,12 @@ void check_points(const RawMesh& mesh) {
 void check_cells(const RawCells& cells, std::size_t points, std::size_t least, const char* what) {
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const auto size = static_cast<std::size_t>(cells.first[c + 1] - cells.first[c]);
-    if (size < least)
-      throw BadInput(fmt::format("{} {} has {} points; remove it", what, c, size));
+    if (size < least) throw BadInput(fmt::format("{} {} has {} points; remove it", what, c, size));
     for (auto i = cells.first[c]; i < cells.first[c + 1]; ++i) {
       const std::int64_t v = cells.points[static_cast<std::size_t>(i)];
       if (v < 0 || v >= static_cast<std::int64_t>(points))
-        throw BadInput(fmt::format("{} {} uses point {}, but there are {}; repair the mesh", what, c,
-                                   v, points));
+        throw BadInput(fmt::format("{} {} uses point {}, but there are {}; repair the mesh", what,
+                                   c, v, points));
     }
   }
 }
@@ -146,8 +145,7 @@ class Assembler {
         const std::array v = {point(lines, c, i - 1), point(lines, c, i)};
         if (!keep(v, lines, c)) continue;
         mesh_.segments.push_back(v);
-        if (has_source_ && by_segment)
-          mesh_.source_cell.back() = raw_.segment_source_cell[number];
+        if (has_source_ && by_segment) mesh_.source_cell.back() = raw_.segment_source_cell[number];
       }
   }
 
@@ -212,8 +210,7 @@ FeatureMesh read_mesh(const fs::path& file, const MeshReadOptions& options, Mesh
     check_cells(raw.strips, raw.points.size(), 3, "strip");
     FeatureMesh mesh;
     MeshRepairs made;
-    Assembler(raw, mesh, made)
-        .run(options.merge_points || detail::lower_extension(file) == ".stl");
+    Assembler(raw, mesh, made).run(options.merge_points || detail::lower_extension(file) == ".stl");
     if (repairs != nullptr) *repairs = made;
     return mesh;
   } catch (const BadInput& error) {

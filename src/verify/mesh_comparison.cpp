@@ -75,12 +75,29 @@ Point middle_of(const Side& side, std::size_t cell) {
 /// How much of each component of one mesh is nearest to each component of the other.
 using Overlaps = std::map<std::pair<std::uint32_t, std::uint32_t>, Measure>;
 
+/// For each component how many before it have the same place, counted up to 15: components that
+/// coincide are told apart by that.
+std::vector<std::uint32_t> repetitions(const MeshComponents& parts) {
+  std::vector<std::uint32_t> result(parts.components.size(), 0);
+  for (std::size_t c = 1; c < result.size(); ++c)
+    if (parts.components[c].place == parts.components[c - 1].place)
+      result[c] = std::min(result[c - 1] + 1, 15u);
+  return result;
+}
+
 Overlaps overlaps(const Side& from, const Side& to, double tolerance) {
   Overlaps result;
-  if (to.cells.empty()) return result;
+  if (to.cells.empty() || from.cells.empty()) return result;
+  const std::vector<std::uint32_t> mine = repetitions(from.parts);
+  const std::vector<std::uint32_t> theirs = repetitions(to.parts);
+  // By the repetition of the component that asks: which of equally near ones it prefers.
+  std::vector<std::vector<std::uint32_t>> ranks(std::ranges::max(mine) + 1, to.component);
+  for (std::uint32_t r = 0; r < ranks.size(); ++r)
+    for (std::uint32_t& c : ranks[r])
+      if (theirs[c] != r) c += static_cast<std::uint32_t>(theirs.size());
   std::vector<SimplexTree::Hit> hits(from.cells.size());
   tbb::parallel_for(std::size_t{0}, hits.size(), [&](std::size_t cell) {
-    hits[cell] = to.tree.nearest(middle_of(from, cell), to.component);
+    hits[cell] = to.tree.nearest(middle_of(from, cell), ranks[mine[from.component[cell]]]);
   });
   for (std::size_t cell = 0; cell < hits.size(); ++cell) {
     if (!(hits[cell].squared <= tolerance * tolerance)) continue;
@@ -136,9 +153,8 @@ void match_components(const std::array<Side, 2>& sides, MeshComparison& result) 
     else
       result.matches.push_back(std::move(group));
   }
-  std::ranges::stable_sort(result.matches, {}, [&](const ComponentMatch& match) {
-    return lowest_place(result, match);
-  });
+  std::ranges::stable_sort(
+      result.matches, {}, [&](const ComponentMatch& match) { return lowest_place(result, match); });
   for (std::uint32_t m = 0; m < result.matches.size(); ++m) {
     const auto& [c, d] = result.matches[m].components;
     if (result.matches[m].is_pair() && a[c[0]].size.betti != b[d[0]].size.betti)
@@ -207,10 +223,9 @@ MeshComparison compare_meshes(const MeshView& a, const MeshView& b,
   for (std::size_t m = 0; m < 2; ++m)
     result.meshes[m].unmatched = unmatched_defects(result.meshes[m].defects, sides[1 - m],
                                                    result.meshes[1 - m].defects, options.tolerance);
-  const DistanceOptions distance = {
-      .gap = options.gap > 0 ? options.gap : options.tolerance / 4,
-      .threshold = options.tolerance,
-      .check = options.check};
+  const DistanceOptions distance = {.gap = options.gap > 0 ? options.gap : options.tolerance / 4,
+                                    .threshold = options.tolerance,
+                                    .check = options.check};
   result.meshes[0].distance = directed_distance(a, b, distance);
   result.meshes[1].distance = directed_distance(b, a, distance);
   return result;

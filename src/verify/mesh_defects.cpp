@@ -37,7 +37,8 @@ class Finder {
     const std::vector<bool> repeated = detail::repeated_triangles(mesh_.triangles);
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       const auto& [a, b, c] = mesh_.triangles[t];
-      if (repeated[t]) add(DefectKind::DuplicateTriangle, {a, b, c});
+      if (repeated[t])
+        add(DefectKind::DuplicateTriangle, {a, b, c});
       else if (collinear(mesh_.points[a], mesh_.points[b], mesh_.points[c]))
         add(DefectKind::DegenerateTriangle, {a, b, c});
     }
@@ -135,11 +136,13 @@ class Finder {
 }  // namespace
 
 std::string_view name_of(DefectKind kind) {
-  constexpr std::array<std::string_view, kDefectKinds> kNames = {
-      "open-edge",           "crack",
-      "nonmanifold-edge",    "nonmanifold-vertex",
-      "orientation-conflict", "duplicate-triangle",
-      "degenerate-triangle"};
+  constexpr std::array<std::string_view, kDefectKinds> kNames = {"open-edge",
+                                                                 "crack",
+                                                                 "nonmanifold-edge",
+                                                                 "nonmanifold-vertex",
+                                                                 "orientation-conflict",
+                                                                 "duplicate-triangle",
+                                                                 "degenerate-triangle"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

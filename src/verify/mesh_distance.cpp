@@ -243,8 +243,9 @@ DirectedDistance directed_distance(const MeshView& from, const MeshView& to,
   check_mesh(to);
   if (from.empty()) return {};
   if (to.empty()) {
-    return {kInfinity, kInfinity, from.points[from.triangles.empty() ? from.segments[0][0]
-                                                                      : from.triangles[0][0]],
+    return {kInfinity,
+            kInfinity,
+            from.points[from.triangles.empty() ? from.segments[0][0] : from.triangles[0][0]],
             {}};
   }
   const SimplexTree tree(detail::cells_of(to));

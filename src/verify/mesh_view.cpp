@@ -22,8 +22,8 @@ void check_cells(std::span<const std::array<std::uint32_t, N>> cells, std::size_
   for (std::size_t c = 0; c < cells.size(); ++c)
     for (std::size_t i = 0; i < N; ++i) {
       if (cells[c][i] >= points)
-        throw std::invalid_argument(fmt::format("{} {} uses point {} of {}", what, c, cells[c][i],
-                                                points));
+        throw std::invalid_argument(
+            fmt::format("{} {} uses point {} of {}", what, c, cells[c][i], points));
       if (cells[c][i] == cells[c][(i + 1) % N])
         throw std::invalid_argument(fmt::format("{} {} uses point {} twice", what, c, cells[c][i]));
     }

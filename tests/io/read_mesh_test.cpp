@@ -69,8 +69,7 @@ const std::string kTetrahedronObj =
 
 TEST(ReadMesh, Obj) {
   const FeatureMesh mesh = read_text("mesh.obj", kTetrahedronObj);
-  EXPECT_EQ(mesh.points,
-            (std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0.1, 1, 0}, {0, 0, 1e-3}}));
+  EXPECT_EQ(mesh.points, (std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0.1, 1, 0}, {0, 0, 1e-3}}));
   EXPECT_EQ(mesh.triangles, (Triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}));
   EXPECT_EQ(mesh.segments, (Segments{{0, 1}, {1, 2}}));
   EXPECT_TRUE(mesh.certified.empty());
@@ -114,11 +113,11 @@ TEST(ReadMesh, PlyOfTheOtherByteOrder) {
 
 TEST(ReadMesh, PolygonsAndStripsAreCut) {
   // A quadrilateral that is not convex at its second corner: only one diagonal is inside.
-  const FeatureMesh mesh = read_text(
-      "mesh.vtk",
-      "# vtk DataFile Version 3.0\nby hand\nASCII\nDATASET POLYDATA\nPOINTS 9 double\n"
-      "0 0 0 1 0.9 0 2 0 0 1 3 0\n0 0 1 1 0 1 0 1 1 1 1 1 0 2 1\n"
-      "POLYGONS 1 5\n4 0 1 2 3\nTRIANGLE_STRIPS 1 6\n5 4 5 6 7 8\nLINES 1 4\n3 0 1 2\n");
+  const FeatureMesh mesh =
+      read_text("mesh.vtk",
+                "# vtk DataFile Version 3.0\nby hand\nASCII\nDATASET POLYDATA\nPOINTS 9 double\n"
+                "0 0 0 1 0.9 0 2 0 0 1 3 0\n0 0 1 1 0 1 0 1 1 1 1 1 0 2 1\n"
+                "POLYGONS 1 5\n4 0 1 2 3\nTRIANGLE_STRIPS 1 6\n5 4 5 6 7 8\nLINES 1 4\n3 0 1 2\n");
   EXPECT_EQ(mesh.segments, (Segments{{0, 1}, {1, 2}}));
   ASSERT_EQ(mesh.triangles.size(), 5u);
   for (std::size_t t = 0; t < 2; ++t) {  // both have the diagonal from 1 to 3
@@ -214,7 +213,8 @@ TEST(ReadMesh, MergesOnRequestAndLeavesOutWhatCollapses) {
   EXPECT_EQ(mesh.segments, Segments{});
   EXPECT_EQ(repairs.merged_points, 2u);
   EXPECT_EQ(repairs.dropped_cells, 2u);
-  EXPECT_EQ(read_text("mesh.obj", "v 0 0 0\nv 1 0 0\nf 1 2 2\n", {}, &repairs).triangles.size(), 0u);
+  EXPECT_EQ(read_text("mesh.obj", "v 0 0 0\nv 1 0 0\nf 1 2 2\n", {}, &repairs).triangles.size(),
+            0u);
   EXPECT_EQ(repairs.dropped_cells, 1u);
 }
 
@@ -228,8 +228,9 @@ TEST(ReadMesh, NamesWhatIsWrongWithTheFile) {
       EXPECT_NE(message_of(name, "no mesh at all\n"), "accepted") << name;
     }
   }
-  EXPECT_THAT(message_of("a.vtk", "# vtk DataFile Version 3.0\nx\nASCII\n"
-                                  "DATASET UNSTRUCTURED_GRID\nPOINTS 0 double\n"),
+  EXPECT_THAT(message_of("a.vtk",
+                         "# vtk DataFile Version 3.0\nx\nASCII\n"
+                         "DATASET UNSTRUCTURED_GRID\nPOINTS 0 double\n"),
               HasSubstr("polygonal data"));
 }
 
@@ -255,8 +256,9 @@ TEST(ReadMesh, NamesWhatIsWrongWithTheMesh) {
   EXPECT_THAT(message_of("a.ply", kPlyHeader + vertices + "3 0 1 2\n2\n"),
               HasSubstr("'vertex2' of edge 0"));
   EXPECT_THAT(message_of("a.ply", kPlyHeader + "0 0 zero 1\n"), HasSubstr("'z' of vertex 0 of 3"));
-  EXPECT_THAT(message_of("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
-                                  "property float y\nend_header\n0 0\n"),
+  EXPECT_THAT(message_of("a.ply",
+                         "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                         "property float y\nend_header\n0 0\n"),
               HasSubstr("no 'z'"));
   EXPECT_THAT(message_of("a.ply", "ply\nformat ascii 2.0\nelement vertex x\nend_header\n"),
               HasSubstr("element vertex x"));

@@ -142,9 +142,7 @@ TEST(Betti, RandomComplexesAgreeWithTheDefinition) {
   EXPECT_GT(with_cycles, 100u);
 }
 
-TEST(Betti, AMillionTriangles) {
-  EXPECT_EQ(betti(torus(700, 720)), (BettiNumbers{1, 2, 1}));
-}
+TEST(Betti, AMillionTriangles) { EXPECT_EQ(betti(torus(700, 720)), (BettiNumbers{1, 2, 1})); }
 
 TEST(Betti, RefusesWhatIsNoComplex) {
   EXPECT_THROW(betti({.points = std::vector<Point>(2), .triangles = {{0, 1, 2}}}),

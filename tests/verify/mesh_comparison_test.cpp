@@ -119,6 +119,12 @@ TEST(MeshComparison, AnInventedBlobNearTheSurfaceIsNoSplit) {
   EXPECT_EQ(differences(torus(), together(torus(), blob)), (Differences{.alone = {0, 1}}));
 }
 
+TEST(MeshComparison, ComponentsThatCoincide) {
+  const Mesh twice = together(ball(), ball());
+  EXPECT_EQ(differences(twice, renumbered(twice, 8)), Differences{});
+  EXPECT_EQ(differences(twice, ball()), (Differences{.alone = {1, 0}}));
+}
+
 TEST(MeshComparison, OneOfTwoNearSheetsIsMissing) {
   const Mesh one = test::square(9), two = together(one, test::square(9, 0.004));
   const MeshComparison c = compare(two, one);

@@ -55,8 +55,7 @@ TEST(MeshDefects, Hole) {
   Mesh mesh = good();
   const auto [a, b, c] = mesh.triangles[triangle_at(3, 4)];
   mesh.triangles.erase(mesh.triangles.begin() + static_cast<long>(triangle_at(3, 4)));
-  EXPECT_EQ(defects(mesh),
-            (Listed{{OpenEdge, {a, b}}, {OpenEdge, {b, c}}, {OpenEdge, {c, a}}}));
+  EXPECT_EQ(defects(mesh), (Listed{{OpenEdge, {a, b}}, {OpenEdge, {b, c}}, {OpenEdge, {c, a}}}));
 }
 
 TEST(MeshDefects, FlippedTriangle) {
@@ -100,9 +99,8 @@ TEST(MeshDefects, Fin) {
   const auto tip = static_cast<std::uint32_t>(mesh.points.size());
   mesh.points.push_back({3, 3, 3});
   mesh.triangles.push_back({a, b, tip});
-  EXPECT_EQ(defects(mesh), (Listed{{NonmanifoldEdge, {a, b}},
-                                   {OpenEdge, {a, tip}},
-                                   {OpenEdge, {b, tip}}}));
+  EXPECT_EQ(defects(mesh),
+            (Listed{{NonmanifoldEdge, {a, b}}, {OpenEdge, {a, tip}}, {OpenEdge, {b, tip}}}));
 }
 
 TEST(MeshDefects, MeshesTouchingAtAVertex) {
@@ -151,9 +149,9 @@ TEST(MeshDefects, Crack) {
 
 TEST(MeshDefects, CrackBetweenUnlikeSubdivisions) {
   // Two squares side by side, one edge of the left along two of the right.
-  Mesh mesh{.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 0, 0}, {1, 0.5, 0}, {1, 1, 0},
-                       {2, 0.5, 0}},
-            .triangles = {{0, 1, 2}, {3, 6, 4}, {4, 6, 5}}};
+  Mesh mesh{
+      .points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 0, 0}, {1, 0.5, 0}, {1, 1, 0}, {2, 0.5, 0}},
+      .triangles = {{0, 1, 2}, {3, 6, 4}, {4, 6, 5}}};
   EXPECT_EQ(defects(mesh), (Listed{{OpenEdge, {0, 1}},
                                    {OpenEdge, {0, 2}},
                                    {Crack, {1, 2}},

@@ -75,9 +75,8 @@ TEST(MeshDistance, AHoleIsAttainedInsideATriangle) {
   // The middle of the hole is far from the rest; no vertex of the whole square is.
   Mesh frame = test::square(3);
   std::erase_if(frame.triangles, [](const auto& t) {
-    return std::ranges::all_of(t, [](std::uint32_t v) {
-      return v == 5 || v == 6 || v == 9 || v == 10;
-    });
+    return std::ranges::all_of(
+        t, [](std::uint32_t v) { return v == 5 || v == 6 || v == 9 || v == 10; });
   });
   ASSERT_EQ(frame.triangles.size(), 16u);
   const DirectedDistance d = distance(test::square(1), frame, 1e-4);
@@ -160,12 +159,13 @@ TEST(MeshDistance, RandomSoupsAgreeWithSampling) {
         for (int j = 0; i + j <= 12; ++j) {
           Point p{};
           for (std::size_t k = 0; k < 3; ++k)
-            p[k] = (a.points[t[0]][k] * i + a.points[t[1]][k] * j +
-                    a.points[t[2]][k] * (12 - i - j)) / 12;
+            p[k] =
+                (a.points[t[0]][k] * i + a.points[t[1]][k] * j + a.points[t[2]][k] * (12 - i - j)) /
+                12;
           double nearest = std::numeric_limits<double>::infinity();
           for (const auto& s : b.triangles)
-            nearest = std::min(nearest, by_sampling(p, b.points[s[0]], b.points[s[1]],
-                                                    b.points[s[2]]));
+            nearest =
+                std::min(nearest, by_sampling(p, b.points[s[0]], b.points[s[1]], b.points[s[2]]));
           sampled = std::max(sampled, nearest);
         }
     const DirectedDistance d = distance(a, b, 1e-3);

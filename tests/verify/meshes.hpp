@@ -59,9 +59,7 @@ inline Mesh sphere(std::uint32_t n, double radius, const Point& centre = {}) {
       for (const int sz : {1, -1})
         for (int i = 0; i < m; ++i)
           for (int j = 0; i + j < m; ++j) {
-            const auto at = [&](int a, int b) {
-              return id({sx * (m - a - b), sy * a, sz * b});
-            };
+            const auto at = [&](int a, int b) { return id({sx * (m - a - b), sy * a, sz * b}); };
             const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
               if (sx * sy * sz < 0) std::swap(b, c);
               mesh.triangles.push_back({a, b, c});

@@ -50,10 +50,10 @@ std::function<bool(const Point&)> on_boundary_of(const Box& box, double toleranc
 /// Guarantee: every kind but `Crack` is decided exactly, as defined above, from indices and, for
 /// degenerate triangles, coordinates. Duplicates are left out before edges are looked at, and an
 /// edge is either a crack or open. Cracks are found by distances in doubles: of an edge e of one
-/// triangle, the points at 1/4, 1/2 and 3/4 must each be within min(tolerance, a/10, h/10), and rounding, of other
-/// such edges, a the length of e, h the height of its triangle over it. So an edge of a sliver at a
-/// crack wider than that counts as open. Cost: n log n.
-/// \throw std::invalid_argument as `check_mesh`.
+/// triangle, the points at 1/4, 1/2 and 3/4 must each be within min(tolerance, a/10, h/10), and
+/// rounding, of other such edges, a the length of e, h the height of its triangle over it. So an
+/// edge of a sliver at a crack wider than that counts as open. Cost: n log n. \throw
+/// std::invalid_argument as `check_mesh`.
 std::vector<Defect> mesh_defects(const MeshView& mesh, const DefectOptions& options = {});
 
 /// How many there are of each kind, by the number of the kind.
