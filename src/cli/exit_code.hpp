@@ -9,6 +9,7 @@ enum class ExitCode {
   Certified = 0,   ///< done, and everything asked for is certified
   BadInput = 1,    ///< bad input or usage
   Unresolved = 2,  ///< done, some cells are listed as unresolved
+  Differ = 2,      ///< done, and the meshes compared differ
   Fault = 3,       ///< an internal fault: please report it
   Resources = 4,   ///< out of memory or disk
   Interrupted = 130

@@ -38,8 +38,10 @@ void describe(CLI::App& program) {
       "  triplex info lorenz.vtu\n"
       "  triplex extract lorenz.vtu -o lorenz\n"
       "  triplex render lorenz -o lorenz.png\n"
-      "Exit codes: 0 certified, 1 bad input or usage, 2 done but with unresolved cells,\n"
-      "  3 internal fault, 4 out of memory or disk, 130 interrupted.");
+      "  triplex compare lorenz/neutral-real.vtp other.ply\n"
+      "Exit codes: 0 certified, 1 bad input or usage, 2 done but with unresolved cells (of\n"
+      "  compare: but the meshes differ), 3 internal fault, 4 out of memory or disk, 130 "
+      "interrupted.");
 }
 
 // Reads the command line. Nothing: `action` is set. Else the program is done with that code.
@@ -73,6 +75,7 @@ ExitCode run(int argc, char** argv) {
   add_info(program, action);
   add_extract(program, action);
   add_render(program, action);
+  add_compare(program, action);
   if (const auto done = parse(program, argc, argv, action)) return *done;
   install_signal_handlers();
   const ExitCode code = action();

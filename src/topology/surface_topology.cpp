@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "compensated_sum.hpp"
-#include "disjoint_sets.hpp"
+#include "triplex/topology/disjoint_sets.hpp"
 
 namespace triplex {
 namespace {
