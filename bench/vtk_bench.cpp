@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "median.hpp"
+#include "sampled_grid.hpp"
 #include "scaling.hpp"
 #include "triplex/extract/extraction.hpp"
 #include "triplex/field/generators.hpp"

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
-#include "triplex/field/tensor_field.hpp"
+#include <cstddef>
 
 namespace triplex {
 
@@ -15,18 +14,12 @@ struct ContourOptions {
   bool sequential = true;
 };
 
-/// The mesh of a field as VTK's grid, with three arrays of doubles at the vertices: minor,
-/// determinant and discriminant of the deviator, still to be filled.
-vtkSmartPointer<vtkUnstructuredGrid> contour_grid(const TensorField& field);
-
-/// Samples the three invariants at the vertices, in plain doubles.
-void sample_invariants(const TensorField& field, vtkUnstructuredGrid& grid);
-
 /// What one run of the three contours at zero made, and its seconds of wall time.
 struct ContourRun {
   double seconds = 0;
   std::size_t triangles = 0, points = 0;
 };
+/// The grid is one of `contour_grid`, its arrays filled.
 ContourRun run_contours(vtkUnstructuredGrid& grid, const ContourOptions& options);
 
 }  // namespace triplex

@@ -4,12 +4,13 @@
 # Installs the layers and the package `triplex`. Two export sets, so that a program that only needs
 # the core does not need VTK: the core layers, and what reads, writes and draws.
 #   find_package(triplex REQUIRED)                        triplex::triplex, the core layers
-#   find_package(triplex REQUIRED COMPONENTS io render)   triplex::io, triplex::render as well
+#   find_package(triplex REQUIRED COMPONENTS io render)   triplex::io, triplex::contour,
+#                                                         triplex::render as well
 include(CMakePackageConfigHelpers)
 
 get_property(layers GLOBAL PROPERTY TRIPLEX_LAYERS)
 set(program_layers ${layers})
-list(FILTER program_layers INCLUDE REGEX "^triplex_(io|render)$")
+list(FILTER program_layers INCLUDE REGEX "^triplex_(io|contour|render)$")
 set(core_layers ${layers})
 list(REMOVE_ITEM core_layers ${program_layers})
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The Triplex authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# The parts of VTK that io and render use. Always with COMPONENTS: a bare find_package(VTK) asks for
+# The parts of VTK that io, contour and render use. Always with COMPONENTS: a bare find_package(VTK) asks for
 # Qt on some systems. Used by the build and by the installed package alike.
 set(TRIPLEX_VTK_IO CommonCore CommonDataModel CommonExecutionModel FiltersGeneral IOCore IOXML IOLegacy
   IOParallelXML)

@@ -86,7 +86,9 @@ AuditedRoad road_of(const Approximation& approximation) {
 }
 
 double diagonal_of(const TensorField& field) {
-  return bounding_box({field.mesh.points, {}, {}}).diagonal();
+  BoundingBox box{field.mesh.points.front(), field.mesh.points.front()};
+  for (const Point& x : field.mesh.points) box = common_box(box, {x, x});
+  return box.diagonal();
 }
 
 /// Of one feature: numbers of both sides and the distances between them.

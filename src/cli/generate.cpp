@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "generate_suite.hpp"
 #include "periodic_option.hpp"
 #include "triplex/field/generators.hpp"
 #include "triplex/io/write_field.hpp"
@@ -23,9 +24,11 @@ struct GenerateRequest {
   int split = 6;
   GridOptions grid;
   LorenzParameters lorenz;
-  bool lorenz_given = false;
+  bool lorenz_given = false, n_given = false;
   std::string constant;               // nine numbers
   std::vector<std::string> periodic;  // axes
+  std::vector<std::string> formats;   // of the suite
+  std::vector<std::string> given;     // options on the command line, but for -n and -o
 };
 
 std::string generator_list() {
@@ -33,7 +36,7 @@ std::string generator_list() {
   for (const GeneratorRow& row : generator_table()) {
     list += fmt::format("  {:<16} {}\n", row.name, row.title);
   }
-  return list;
+  return list + "  suite            all fields with known answers, into a directory\n";
 }
 
 // Nine numbers, separated by commas.
@@ -79,7 +82,18 @@ void prepare(GenerateRequest& request) {
     throw UsageError("--tensor-value is for constant only");
 }
 
+/// The suite's fields are exact only on its own grids.
+ExitCode run_suite(const GenerateRequest& request) {
+  SuiteRequest suite = {.directory = request.output, .formats = request.formats};
+  if (request.n_given) suite.n = request.grid.n;
+  for (const std::string& name : request.given)
+    if (name != "--formats") throw UsageError("suite takes only -n, -o and --formats, not " + name);
+  return run_generate_suite(suite);
+}
+
 ExitCode run_generate(GenerateRequest& request) {
+  if (request.name == "suite") return run_suite(request);
+  if (!request.formats.empty()) throw UsageError("--formats is for suite only");
   if (!can_write_field(request.output)) {
     throw UsageError("the output file must end in .vtu or .vtk, not be " + request.output);
   }
@@ -107,6 +121,10 @@ void add_grid_options(CLI::App* command, GenerateRequest& request) {
       ->capture_default_str();
   command->add_option("--seed", request.grid.seed, "Of the jitter and of random fields")
       ->capture_default_str();
+  command->add_option("--formats", request.formats, "Suite: formats of its fields: vtu, vtk")
+      ->delimiter(',')
+      ->type_name("A,B")
+      ->default_str("vtu");
   add_periodic_option(*command, request.periodic,
                       "The upper sides across these axes get the tensors of the lower ones");
   command->add_option("--split", request.split, "Tets per grid cell: 5 or 6")
@@ -122,7 +140,9 @@ void add_generate(CLI::App& program, Action& action) {
   CLI::App* const command =
       program.add_subcommand("generate", "Write a tensor field with a known formula.");
   command->add_option("NAME", request->name, "Which field; see below")->required();
-  command->add_option("-o,--output", request->output, "File to write: .vtu or legacy .vtk")
+  command
+      ->add_option("-o,--output", request->output,
+                   "File to write: .vtu or legacy .vtk; of suite, a directory")
       ->required()
       ->type_name("FILE");
   add_grid_options(command, *request);
@@ -137,8 +157,14 @@ void add_generate(CLI::App& program, Action& action) {
                   "Examples:\n"
                   "  triplex generate lorenz -n 20 -o lorenz.vtu\n"
                   "  triplex generate abc -n 44 --split 5 --jitter 0.2 --seed 7 -o abc.vtu\n"
-                  "  triplex generate constant --tensor-value 1,2,0,0,1,0,0,0,3 -o constant.vtu");
-  command->callback([request, lorenz, &action] {
+                  "  triplex generate constant --tensor-value 1,2,0,0,1,0,0,0,3 -o constant.vtu\n"
+                  "  triplex generate suite -n 16 --formats vtu,vtk -o suite");
+  command->callback([request, lorenz, command, &action] {
+    request->n_given = command->get_option("-n")->count() > 0;
+    for (const CLI::Option* const option : command->get_options())
+      if (option->count() > 0 && option->nonpositional() && !option->check_name("-n") &&
+          !option->check_name("-o"))
+        request->given.push_back(option->get_name());
     for (const CLI::Option* const option : lorenz) request->lorenz_given |= option->count() > 0;
     action = [request] { return run_generate(*request); };
   });
