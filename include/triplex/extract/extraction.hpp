@@ -5,9 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "triplex/arithmetic/sign.hpp"
@@ -18,6 +16,7 @@
 #include "triplex/feature/feature_mesh.hpp"
 #include "triplex/feature/feature_table.hpp"
 #include "triplex/field/periodic.hpp"
+#include "triplex/field/progress.hpp"
 #include "triplex/field/tensor_field.hpp"
 
 namespace triplex {
@@ -46,9 +45,6 @@ struct ExtractionTiming {
   double refine_s = 0, nodes_s = 0, curves_s = 0, extract_s = 0;
 };
 
-/// Called from the calling thread between steps: name of the step, done in [0,1] or < 0 if unknown.
-using ProgressCallback = std::function<void(std::string_view step, double done)>;
-
 struct ExtractionOptions {
   FeatureTable table;
   FeatureSet features = kStandardSet;  ///< rows of the table
@@ -68,9 +64,6 @@ struct ExtractionOptions {
   /// Set to true from anywhere (a signal handler) to stop; `extract` then throws `Interrupted`.
   const std::atomic<bool>* interrupted = nullptr;
 };
-
-/// Thrown by `extract` when `ExtractionOptions::interrupted` was set.
-struct Interrupted {};
 
 struct Extraction {
   FeatureTable table;
