@@ -125,9 +125,8 @@ Approximation Extractor::run(APatchStatistics* statistics) {
             options_.patch_test, options_.table.size()});
   const double patches_s = watch.seconds();
   report("merge");
-  tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t f) {
-    result.features[f] = join(f, parts, grid);
-  });
+  tbb::parallel_for(std::size_t{0}, rows,
+                    [&](std::size_t f) { result.features[f] = join(f, parts, grid); });
   for (const Findings& part : parts)
     result.given_up.insert(result.given_up.end(), part.given_up.begin(), part.given_up.end());
   std::sort(result.given_up.begin(), result.given_up.end());

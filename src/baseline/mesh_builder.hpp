@@ -50,8 +50,8 @@ class MeshBuilder {
 
   const WeldGrid* grid_;
   FeatureMesh mesh_;
-  std::vector<WeldGrid::Key> keys_;    // per point
-  std::vector<std::uint32_t> slots_;   // point + 1, or 0; a power of two of them
+  std::vector<WeldGrid::Key> keys_;   // per point
+  std::vector<std::uint32_t> slots_;  // point + 1, or 0; a power of two of them
 };
 
 }  // namespace triplex::baseline

@@ -46,7 +46,8 @@ class Patch {
   /// On the segment between a point of the negative and one of the positive face, as in
   /// `along_segment`. On an edge of the tet the bits do not depend on the tet.
   FieldPoint point(const Barycentric<4>& x) const {
-    const double t = is_edge(x) ? edge_root(x) : root_approx(along_segment<4, Degree>(c_, positive_, x));
+    const double t =
+        is_edge(x) ? edge_root(x) : root_approx(along_segment<4, Degree>(c_, positive_, x));
     Barycentric<4> weight;
     for (int i = 0; i < 4; ++i) weight[i] = x[i] * (positive_ >> i & 1u ? t : 1 - t);
     return interpolate(vertices_, weight);
@@ -70,8 +71,8 @@ class Patch {
   VertexMask positive_;
 };
 
-/// The triangles of a patch; normals point to the positive side. Three-sided: `samples`^2 triangles,
-/// four-sided: as many quadrilaterals, each cut in two.
+/// The triangles of a patch; normals point to the positive side. Three-sided: `samples`^2
+/// triangles, four-sided: as many quadrilaterals, each cut in two.
 template <int Degree>
 void tessellate(const Patch<Degree>& patch, const Separation& s, int samples,
                 std::vector<FieldTriangle>& triangles) {

@@ -197,8 +197,8 @@ struct EdgeLines {
 /// De Casteljau's averages; on a face they use the coefficients of the face only, so both tets at
 /// it get the same bits.
 template <int Degree>
-std::pair<Coefficients<4, Degree>, Coefficients<4, Degree>> halves(
-    const Coefficients<4, Degree>& c, int i, int j) {
+std::pair<Coefficients<4, Degree>, Coefficients<4, Degree>> halves(const Coefficients<4, Degree>& c,
+                                                                   int i, int j) {
   static const EdgeLines<Degree> lines;
   const auto& order = lines.order[i][j];
   std::pair<Coefficients<4, Degree>, Coefficients<4, Degree>> r;

@@ -24,7 +24,8 @@ struct ActiveTet {
 
 class Worker {
  public:
-  explicit Worker(const Task& task) : task_(task), builders_(static_cast<std::size_t>(task.features)) {
+  explicit Worker(const Task& task)
+      : task_(task), builders_(static_cast<std::size_t>(task.features)) {
     found_.counts.resize(task.plans.size());
   }
 

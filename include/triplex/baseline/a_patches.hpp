@@ -23,7 +23,7 @@ struct APatchOptions {
   FeatureSet features = kStandardSet;  ///< rows of the table
   /// Halvings of a tet (of a triangle, for the curve) before it is given up; three halve every
   /// edge about once.
-  int max_depth = 9;
+  int max_depth = 6;
   PatchTest patch_test = PatchTest::LayersOrGrowth;
   /// Every edge of a patch is sampled by this many segments; 1 is the coarsest: one triangle or one
   /// quadrilateral per patch.
