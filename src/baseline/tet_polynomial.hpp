@@ -66,9 +66,13 @@ struct SignTest {
 /// Whether all coefficients have the sign of the first.
 template <std::size_t Count>
 bool has_one_sign(const std::array<double, Count>& c) {
-  int negative = 0;
-  for (const double x : c) negative += is_negative(x);
-  return negative == 0 || negative == static_cast<int>(Count);
+  std::uint64_t any = 0, all = ~any;  // the sign bit counts; adding 0 turns -0 into 0
+  for (const double x : c) {
+    const auto bits = std::bit_cast<std::uint64_t>(x + 0.0);
+    any |= bits;
+    all &= bits;
+  }
+  return ((any ^ all) >> 63) == 0;
 }
 
 /// Position of the coefficient with one exponent raised: from degree Degree - 1 to Degree.
@@ -89,7 +93,7 @@ inline constexpr RaisedExponents<N, Degree> kRaised{};
 
 /// Whether the polynomial grows in the direction from each negative vertex to each positive one:
 /// all coefficients of these derivatives are at least 0. Then it grows along every segment from the
-/// negative to the positive face, which has exactly one root.
+/// negative to the positive face.
 template <int N, int Degree>
 bool grows_across(const Coefficients<N, Degree>& c, VertexMask positive) {
   for (const auto& raised : kRaised<N, Degree>.at) {
@@ -108,9 +112,10 @@ bool grows_across(const Coefficients<N, Degree>& c, VertexMask positive) {
 
 /// What the signs of the coefficients say. Patch: with the vertices divided by the sign of the
 /// polynomial there, the layers of coefficients between the two faces are negative, then at most
-/// one mixed, then positive. Then every segment from the one face to the other has exactly one
-/// root, as its coefficients change sign once. With `PatchTest::LayersOrGrowth` also where
-/// `grows_across` holds.
+/// one mixed, then positive; the first and the last layer, those of the faces, are not mixed. Then
+/// every segment from the one face to the other has exactly one root, as its coefficients change
+/// sign once. With `PatchTest::LayersOrGrowth` also where the first layer is negative, the last one
+/// positive, and `grows_across` holds.
 template <int N, int Degree>
 SignTest sign_test(const Coefficients<N, Degree>& c, PatchTest patch_test) {
   SignTest r;
@@ -120,12 +125,15 @@ SignTest sign_test(const Coefficients<N, Degree>& c, PatchTest patch_test) {
   r.pattern = SignPattern::Mixed;
   if (r.positive == 0 || r.positive == (1u << N) - 1) return r;
   const auto& layer = kLayers<N, Degree>.of[r.positive];
-  unsigned negative = 0, positive = 0;
+  unsigned negative = 0, positive = 0;  // the layers that have such coefficients
   for (std::size_t n = 0; n < c.size(); ++n)
     (is_negative(c[n]) ? negative : positive) |= 1u << layer[n];
-  if (static_cast<int>(std::bit_width(negative)) - 1 <= std::countr_zero(positive))
-    r.pattern = SignPattern::Patch;
-  else if (patch_test == PatchTest::LayersOrGrowth && grows_across<N, Degree>(c, r.positive))
+  const int last_negative = static_cast<int>(std::bit_width(negative)) - 1;
+  const int first_positive = std::countr_zero(positive);
+  const bool separated = last_negative <= first_positive;
+  const bool ends_have_signs = last_negative < Degree && first_positive > 0;
+  const bool may_grow = patch_test == PatchTest::LayersOrGrowth;
+  if (ends_have_signs && (separated || (may_grow && grows_across<N, Degree>(c, r.positive))))
     r.pattern = SignPattern::Patch;
   return r;
 }

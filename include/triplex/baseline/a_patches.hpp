@@ -15,7 +15,7 @@ namespace triplex {
 /// When a simplex counts as one patch.
 enum class PatchTest : std::uint8_t {
   Layers,          ///< at most one layer of coefficients has both signs: Luk and Mann's condition
-  LayersOrGrowth,  ///< or the polynomial grows from each negative vertex to each positive one
+  LayersOrGrowth,  ///< or the polynomial grows from the negative face to the positive one
 };
 
 struct APatchOptions {
