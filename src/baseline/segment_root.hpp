@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace triplex::baseline {
@@ -24,17 +25,20 @@ std::pair<double, double> value_and_slope(std::array<double, Count> b, double t)
 template <std::size_t Count>
 double root_approx(const std::array<double, Count>& b) {
   constexpr int kSteps = 80;
-  constexpr double kResolution = 0x1p-53;
+  constexpr double kResolution = 0x1p-52;
+  double noise = 0;  // values up to here are rounding
+  for (const double c : b) noise = std::fmax(noise, 0x1p-52 * std::fabs(c));
   double low = 0, high = 1;
   double t = b.front() / (b.front() - b.back());
   double last_step = 1;
   for (int step = 0; step < kSteps; ++step) {
     const auto [value, slope] = value_and_slope(b, t);
+    if (std::fabs(value) <= noise) break;
     (value < 0 ? low : high) = t;
     if (high - low <= kResolution) break;
     double next = t - value / slope;
+    if (std::fabs(next - t) <= kResolution * t) break;
     const bool usable = next > low && next < high && std::fabs(next - t) <= 0.5 * last_step;
-    if (value == 0 || (std::fabs(next - t) <= kResolution * t)) return t;
     if (!usable) next = 0.5 * (low + high);
     last_step = std::fabs(next - t);
     t = next;
