@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "tet_worker.hpp"
+#include "triplex/arithmetic/fp_environment.hpp"
 
 namespace triplex {
 namespace {
@@ -155,9 +156,14 @@ APatchCounts& APatchCounts::operator+=(const APatchCounts& other) {
 Approximation extract_a_patches(const TensorField& field, const APatchOptions& options,
                                 APatchStatistics* statistics) {
   check(options);
-  tbb::task_arena arena(options.threads > 0 ? static_cast<int>(options.threads)
-                                            : tbb::task_arena::automatic);
-  return arena.execute([&] { return Extractor(field, options).run(statistics); });
+  // The settings of floating point are the library's own, as in `extract`: the same bytes whatever
+  // the host program has set.
+  return with_fp_environment([&] {
+    tbb::task_arena arena(options.threads > 0 ? static_cast<int>(options.threads)
+                                              : tbb::task_arena::automatic);
+    arena.initialize();
+    return arena.execute([&] { return Extractor(field, options).run(statistics); });
+  });
 }
 
 }  // namespace triplex

@@ -230,10 +230,11 @@ TEST(Root, IsFoundToRounding) {
   EXPECT_NEAR(root_approx(cube), 0.3, 1e-4);
   // Flat at both ends, where Newton's steps leave the interval.
   EXPECT_NEAR(root_approx(std::array<double, 7>{-1, -1, -1, 1e-3, 1, 1, 1}), 0.5, 1e-3);
-  const double root = root_approx(std::array<double, 7>{-1e-12, -1e-12, -1e-12, 0, 0, 0, 1});
-  EXPECT_NEAR(
-      value_and_slope(std::array<double, 7>{-1e-12, -1e-12, -1e-12, 0, 0, 0, 1}, root).first, 0,
-      1e-25);
+  constexpr std::array<double, 7> kSteep{-1e-12, -1e-12, -1e-12, 0, 0, 0, 1};
+  EXPECT_NEAR(value_and_slope(kSteep, root_approx(kSteep)).first, 0, 0x1p-51);
+  // Where a bracket alone would leave: several roots, one of them is found.
+  constexpr std::array<double, 7> kWaves{-1, 9, -20, 20, -20, 9, 1};
+  EXPECT_NEAR(value_and_slope(kWaves, root_approx(kWaves)).first, 0, 20 * 0x1p-50);
 }
 
 }  // namespace
