@@ -239,8 +239,7 @@ using Entry = std::uint64_t(const RefinableField&, std::span<const std::array<Ve
                                               std::span<SweptCell> results) {
   return Sweep<2>(field, cells, sectors, requested, results).run();
 }
-#if defined(__x86_64__) && defined(__GNUC__)
-#define TRIPLEX_WIDE_SWEEP 1
+#ifdef TRIPLEX_WIDE_INSTRUCTIONS
 [[gnu::flatten, gnu::target("avx2")]] std::uint64_t sweep_avx2(
     const RefinableField& field, std::span<const std::array<VertexId, 4>> cells,
     SectorTable sectors, FeatureSet requested, std::span<SweptCell> results) {
@@ -254,7 +253,7 @@ using Entry = std::uint64_t(const RefinableField&, std::span<const std::array<Ve
 #endif
 
 Entry* entry_of([[maybe_unused]] Instructions instructions) {
-#ifdef TRIPLEX_WIDE_SWEEP
+#ifdef TRIPLEX_WIDE_INSTRUCTIONS
   if (instructions == Instructions::Avx2) return sweep_avx2;
   if (instructions == Instructions::Avx512) return sweep_avx512;
 #endif
@@ -262,23 +261,6 @@ Entry* entry_of([[maybe_unused]] Instructions instructions) {
 }
 
 }  // namespace
-
-bool available(Instructions instructions) {
-#ifdef TRIPLEX_WIDE_SWEEP
-  if (instructions == Instructions::Avx2) return __builtin_cpu_supports("avx2");
-  if (instructions == Instructions::Avx512)
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
-#endif
-  return instructions == Instructions::Baseline;
-}
-
-Instructions best_instructions() {
-  static const Instructions best = available(Instructions::Avx512) ? Instructions::Avx512
-                                   : available(Instructions::Avx2) ? Instructions::Avx2
-                                                                   : Instructions::Baseline;
-  return best;
-}
 
 void sweep_cells(const RefinableField& field, std::span<const std::array<VertexId, 4>> cells,
                  SectorTable sectors, FeatureSet requested, std::span<SweptCell> results,

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "lanes.hpp"
 #include "triplex/arithmetic/filter.hpp"
+#include "triplex/arithmetic/lanes.hpp"
 #include "triplex/bernstein/forms.hpp"
 
 namespace triplex {

@@ -122,7 +122,7 @@ std::vector<Difference> audit(const TensorField& field, const FeatureTable& tabl
         detail::find_witness(field, table, d.feature, d.source_cell, tets.of(d.source_cell),
                              of_reference[f], of_other[f]);
   });
-  if (options.interrupted != nullptr && options.interrupted->load()) throw AuditInterrupted{};
+  if (options.interrupted != nullptr && options.interrupted->load()) throw Interrupted{};
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "triplex/arithmetic/instructions.hpp"
 #include "triplex/certify/cell.hpp"
 
 namespace triplex {
@@ -20,12 +21,6 @@ struct SweptCell {
 
 /// Tets swept in one call, at most.
 inline constexpr std::size_t kSweepBlock = 256;
-
-/// The instructions that the sweep may use. Each gives the same bits.
-enum class Instructions : std::uint8_t { Baseline, Avx2, Avx512 };
-/// Whether this build and this machine have them.
-bool available(Instructions instructions);
-Instructions best_instructions();
 
 /// The certificates of the easy tets, several at a time in the lanes of vector registers: those
 /// that hold nothing, and those that hold sheets but no spine, where the filter's first answers and

@@ -6,10 +6,8 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "triplex/arithmetic/sign.hpp"
@@ -20,6 +18,7 @@
 #include "triplex/feature/feature_mesh.hpp"
 #include "triplex/feature/feature_table.hpp"
 #include "triplex/field/periodic.hpp"
+#include "triplex/field/progress.hpp"
 #include "triplex/field/tensor_field.hpp"
 
 namespace triplex {
@@ -49,12 +48,9 @@ struct ExtractionTiming {
   double refine_s = 0, nodes_s = 0, curves_s = 0, extract_s = 0;
 };
 
-/// Called from the calling thread between steps: name of the step, done in [0,1] or < 0 if unknown.
-using ProgressCallback = std::function<void(std::string_view step, double done)>;
-
 /// The bisections that one tet may ask for in a field of so many tets: 1024, or its share of 65536
 /// if that is more, as a tet that holds the whole topology of a field may need more than one of
-/// many. Source: docs/decisions/0014-budget-of-1024.md.
+/// many. Source: docs/decisions/0015-small-fields-share-a-budget.md.
 constexpr std::uint32_t default_budget(std::size_t tets) {
   constexpr std::size_t kEach = 1024, kTogether = 65536;
   return static_cast<std::uint32_t>(std::max(kEach, kTogether / std::max<std::size_t>(tets, 1)));
@@ -80,9 +76,6 @@ struct ExtractionOptions {
   /// Set to true from anywhere (a signal handler) to stop; `extract` then throws `Interrupted`.
   const std::atomic<bool>* interrupted = nullptr;
 };
-
-/// Thrown by `extract` when `ExtractionOptions::interrupted` was set.
-struct Interrupted {};
 
 struct Extraction {
   FeatureTable table;

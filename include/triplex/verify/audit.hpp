@@ -11,6 +11,7 @@
 
 #include "triplex/feature/feature_mesh.hpp"
 #include "triplex/feature/feature_table.hpp"
+#include "triplex/field/progress.hpp"
 #include "triplex/field/tensor_field.hpp"
 #include "triplex/verify/tet_segment.hpp"
 
@@ -85,10 +86,9 @@ struct Difference {
 
 struct AuditOptions {
   unsigned threads = 0;  ///< 0: all cores
-  /// Set to true from anywhere to stop; `audit` then throws `AuditInterrupted`.
+  /// Set to true from anywhere to stop; `audit` then throws `Interrupted`.
   const std::atomic<bool>* interrupted = nullptr;
 };
-struct AuditInterrupted {};
 
 /// Cell by cell of the input, where the topology of two sets of meshes of one field differs, and
 /// who is right. Sorted by cell, then by feature.
