@@ -82,7 +82,7 @@ void tessellate(const Patch<Degree>& patch, const Separation& s, int samples,
   std::vector<FieldPoint> row, last;
   Barycentric<4> x{};
   if (s.negative == 2) {
-    for (int i = 0; i <= samples; ++i, last.swap(row)) {
+    for (int i = 0; i <= samples; ++i) {
       row.clear();
       for (int j = 0; j <= samples; ++j) {
         x[v[0]] = (samples - i) * step;
@@ -94,12 +94,13 @@ void tessellate(const Patch<Degree>& patch, const Separation& s, int samples,
         triangles.push_back({last[j - 1], last[j], row[j]});
         triangles.push_back({last[j - 1], row[j], row[j - 1]});
       }
+      last.swap(row);
     }
     return;
   }
   const int lone = s.negative == 1 ? 0 : 3, three = s.negative == 1 ? 1 : 0;
   x[v[lone]] = 1;
-  for (int i = 0; i <= samples; ++i, last.swap(row)) {  // row i has i + 1 points
+  for (int i = 0; i <= samples; ++i) {  // row i has i + 1 points
     row.clear();
     for (int j = 0; j <= i; ++j) {
       x[v[three]] = (samples - i) * step;
@@ -109,6 +110,7 @@ void tessellate(const Patch<Degree>& patch, const Separation& s, int samples,
       if (j > 0) triangles.push_back({last[j - 1], row[j - 1], row[j]});
       if (j > 0 && j < i) triangles.push_back({last[j - 1], row[j], last[j]});
     }
+    last.swap(row);
   }
 }
 
