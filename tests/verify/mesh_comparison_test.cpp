@@ -198,6 +198,16 @@ TEST(MeshComparison, DuplicatedTriangle) {
   EXPECT_EQ(differences(good(), mesh), (Differences{.unmatched = {0, 1}}));
 }
 
+TEST(MeshComparison, DegenerateTrianglesAreListedAndLackNothing) {
+  Mesh folded = test::square(4);
+  folded.points[12] = folded.points[13];  // an edge inside has no length any more
+  const MeshComparison d = compare(test::square(4), folded);
+  EXPECT_EQ(
+      count_defects(d.meshes[1].defects)[static_cast<std::size_t>(DefectKind::DegenerateTriangle)],
+      2u);
+  EXPECT_EQ(differences(d), Differences{});
+}
+
 TEST(MeshComparison, Fin) {
   Mesh mesh = good();
   const auto tip = static_cast<std::uint32_t>(mesh.points.size());
