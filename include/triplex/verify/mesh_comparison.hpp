@@ -36,7 +36,7 @@ struct ComparedMesh {
   MeshSize size;
   std::vector<ComponentSummary> components;  ///< by `place`
   std::vector<Defect> defects;               ///< see `mesh_defects`
-  std::vector<std::uint32_t> unmatched;      ///< defects with none of their kind near in the other
+  std::vector<std::uint32_t> unmatched;      ///< defects that the other lacks, see `compare_meshes`
   std::vector<std::uint32_t> alone;          ///< components that match none of the other
   DirectedDistance distance;                 ///< of its points to the other mesh
   friend bool operator==(const ComparedMesh&, const ComparedMesh&) = default;
