@@ -177,6 +177,7 @@ std::vector<std::uint32_t> unmatched_defects(std::span<const Defect> mine, const
   for (std::vector<Corners>& of_kind : places) trees.emplace_back(std::move(of_kind));
   std::vector<std::uint32_t> result;
   for (std::uint32_t d = 0; d < mine.size(); ++d) {
+    if (mine[d].kind == DefectKind::DegenerateTriangle) continue;
     const SimplexTree& tree = trees[static_cast<std::size_t>(mine[d].kind)];
     if (tree.empty() || !(tree.nearest(mine[d].position).squared <= tolerance * tolerance))
       result.push_back(d);

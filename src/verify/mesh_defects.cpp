@@ -120,6 +120,7 @@ class Finder {
     const Point& apex = mesh_.points[mesh_.triangles[side.triangle][(side.corner + 2) % 3]];
     const double base = std::sqrt(detail::squared_distance(a, b));
     const double height = std::sqrt(detail::nearest_on_simplex(apex, {a, b, b}).squared);
+    if (std::min(base, height) < 100 * rounding_) return false;  // of no extent
     const double width = std::min({options_.tolerance, base / 10, height / 10}) + rounding_;
     return std::ranges::all_of(std::array{0.25, 0.5, 0.75}, [&](double t) {
       return tree.nearest_other(along(a, b, t), e, width * width).has_value();

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "simplex_tree.hpp"
@@ -91,8 +92,8 @@ class Search {
   void bound(Piece& piece, double enough) const {
     // The balls around the corners that cover the piece: of a triangle, by Jung's theorem, as a
     // point is no farther from the nearest corner than the radius of any ball around them all.
-    const double radius =
-        std::sqrt(piece.squared_longest_side()) * (piece.is_segment() ? 0.5 : 0.57735026919);
+    const double radius = std::sqrt(piece.squared_longest_side()) *
+                          (piece.is_segment() ? 0.5 : std::numbers::inv_sqrt3);
     const auto& [a, b, c] = piece.corners;
     piece.upper = std::min(piece.upper, std::max({a.distance, b.distance, c.distance}) + radius);
     if (piece.upper <= enough) return;

@@ -131,6 +131,10 @@ TEST(MeshComparison, OneOfTwoNearSheetsIsMissing) {
   EXPECT_EQ(c.meshes[0].alone, (std::vector<std::uint32_t>{1}));
   EXPECT_EQ(c.matches.size(), 1u);
   EXPECT_FALSE(c.agree());
+  Mesh dented = one;  // in one square it is nearer to the other sheet
+  for (const std::size_t v : {44, 45, 54, 55}) dented.points[v][2] = 0.004;
+  EXPECT_EQ(differences(two, dented).alone, (std::array<std::size_t, 2>{1, 0}));
+  EXPECT_EQ(differences(two, dented).not_pairs, 0u);
 }
 
 /// The torus without the two rings of triangles at row 0 and at row 12: two tubes.
@@ -196,6 +200,16 @@ TEST(MeshComparison, DuplicatedTriangle) {
   Mesh mesh = good();
   mesh.triangles.push_back(mesh.triangles[200]);
   EXPECT_EQ(differences(good(), mesh), (Differences{.unmatched = {0, 1}}));
+}
+
+TEST(MeshComparison, DegenerateTrianglesAreListedAndLackNothing) {
+  Mesh folded = test::square(4);
+  folded.points[12] = folded.points[13];  // an edge inside has no length any more
+  const MeshComparison d = compare(test::square(4), folded);
+  EXPECT_EQ(
+      count_defects(d.meshes[1].defects)[static_cast<std::size_t>(DefectKind::DegenerateTriangle)],
+      2u);
+  EXPECT_EQ(differences(d), Differences{});
 }
 
 TEST(MeshComparison, Fin) {

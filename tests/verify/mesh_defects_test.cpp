@@ -175,6 +175,18 @@ TEST(MeshDefects, NarrowStripIsNoCrack) {
   EXPECT_EQ(defects(mesh).size(), 22u);
 }
 
+TEST(MeshDefects, EdgesOfNoLengthAreNoCracks) {
+  // The middle of the lower side twice, at the same place, as exact ties make it.
+  const Mesh mesh{.points = {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}},
+                  .triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}}};
+  EXPECT_EQ(defects(mesh), (Listed{{OpenEdge, {0, 1}},
+                                   {OpenEdge, {1, 2}},
+                                   {OpenEdge, {2, 3}},
+                                   {OpenEdge, {3, 4}},
+                                   {OpenEdge, {0, 4}},
+                                   {DegenerateTriangle, {1, 2, 4}}}));
+}
+
 TEST(MeshDefects, SurfacesMayEndWhereTheDomainDoes) {
   Mesh mesh = test::square(4);
   const BoundingBox box{{0, 0, -1}, {1, 1, 1}};

@@ -86,6 +86,25 @@ TEST(MeshDistance, AHoleIsAttainedInsideATriangle) {
   EXPECT_LE(distance(frame, test::square(1)).upper, 1e-3);
 }
 
+TEST(MeshDistance, UpperBoundsHoldForCoarseGapsToo) {
+  // Specks at the corners: the farthest point is the middle.
+  const double height = std::sqrt(3) / 2;
+  const Mesh triangle{.points = {{0, 0, 0}, {1, 0, 0}, {0.5, height, 0}}, .triangles = {{0, 1, 2}}};
+  Mesh specks = triangle;
+  for (std::size_t i = 0; i < 3; ++i) {
+    specks.points.push_back(specks.points[i]);
+    specks.points.back()[2] = 1e-9;
+  }
+  specks.triangles.clear();
+  specks.segments = {{0, 3}, {1, 4}, {2, 5}};
+  const Mesh line{.points = {{0, 0, 0}, {1, 0, 0}}, .segments = {{0, 1}}};
+  for (const double gap : {0.7, 0.4, 0.2, 0.05}) {
+    EXPECT_GE(distance(triangle, specks, gap).upper, 1 / std::sqrt(3) - 1e-9) << gap;
+    EXPECT_GE(distance(line, specks, gap).upper, 0.5 - 1e-9) << gap;
+  }
+  EXPECT_NEAR(distance(triangle, specks, 1e-4).lower, 1 / std::sqrt(3), 1e-4);
+}
+
 TEST(MeshDistance, ConcentricSpheres) {
   // Both inscribed: the outer one is within its own sagitta of radius 1.25, likewise the inner.
   const std::uint32_t n = 24;

@@ -36,7 +36,7 @@ struct ComparedMesh {
   MeshSize size;
   std::vector<ComponentSummary> components;  ///< by `place`
   std::vector<Defect> defects;               ///< see `mesh_defects`
-  std::vector<std::uint32_t> unmatched;      ///< defects with none of their kind near in the other
+  std::vector<std::uint32_t> unmatched;      ///< defects that the other lacks, see `compare_meshes`
   std::vector<std::uint32_t> alone;          ///< components that match none of the other
   DirectedDistance distance;                 ///< of its points to the other mesh
   friend bool operator==(const ComparedMesh&, const ComparedMesh&) = default;
@@ -80,11 +80,12 @@ struct ComparisonOptions {
 /// smaller of the two (by area, of curves length) is within the tolerance of the other mesh and
 /// nearest to the other component there, seen from either side; that is measured at the middles of
 /// cells (approximate, and as fine as the cells are). Defects are matched by kind, where the
-/// position of one is within the tolerance of one of the other.
-/// Guarantee: exchanging the meshes exchanges the result, exactly; a mesh with its points and cells
-/// renumbered agrees with it, at distance exactly 0; Betti numbers are exact, distances bounded,
-/// defects found as the functions for them say. Cost: theirs, and n log n.
-/// \throw std::invalid_argument as `check_mesh`; what `check` throws.
+/// position of one is within the tolerance of one of the other. Degenerate triangles are listed,
+/// but nothing is said to lack one: they change neither shape nor topology, and exact ties make
+/// them. Guarantee: exchanging the meshes exchanges the result, exactly; a mesh with its points and
+/// cells renumbered agrees with it, at distance exactly 0; Betti numbers are exact, distances
+/// bounded, defects found as the functions for them say. Cost: theirs, and n log n. \throw
+/// std::invalid_argument as `check_mesh`; what `check` throws.
 MeshComparison compare_meshes(const MeshView& a, const MeshView& b,
                               const ComparisonOptions& options);
 

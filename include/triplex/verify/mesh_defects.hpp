@@ -52,7 +52,8 @@ std::function<bool(const Point&)> on_boundary_of(const BoundingBox& box, double 
 /// edge is either a crack or open. Cracks are found by distances in doubles: of an edge e of one
 /// triangle, the points at 1/4, 1/2 and 3/4 must each be within min(tolerance, a/10, h/10), and
 /// rounding, of other such edges, a the length of e, h the height of its triangle over it. So an
-/// edge of a sliver at a crack wider than that counts as open. Cost: n log n. \throw
+/// edge of a sliver at a crack wider than that counts as open, and so does one
+/// of no extent, whose triangle is as small as rounding. Cost: n log n. \throw
 /// std::invalid_argument as `check_mesh`.
 std::vector<Defect> mesh_defects(const MeshView& mesh, const DefectOptions& options = {});
 
