@@ -178,6 +178,29 @@ TEST(VtkContour, AgreesWithTheCertifiedOnAnEasyField) {
   }
 }
 
+/// Where surfaces are far apart and the mesh is fine, contours have the topology that was derived:
+/// a road to it that shares nothing with certificates.
+TEST(VtkContour, FatSurfacesHaveTheDerivedTopology) {
+  for (const char* name : {"lorenz-classic", "lorenz-node-in-tet", "lorenz-node-on-face",
+                           "spine-loop-in-tet", "degenerate-tube-1_8", "balanced-tube-1_1"}) {
+    const auto [field, result] = contours_of(name, 32);
+    const GroundTruth& truth = truth_named(name);
+    const bool has_curve = truth.curve->components > 0;
+    for (const SurfaceTruth& known : truth.surfaces) {
+      if (has_curve && known.feature.starts_with("degenerate")) continue;  // a cusp: no contour
+      const Feature feature = *result.table.named(known.feature);
+      EXPECT_EQ(test::topology_of(result.mesh(feature)),
+                (test::Topology{static_cast<std::uint64_t>(known.components),
+                                static_cast<std::uint64_t>(known.boundary_loops), known.euler}))
+          << name << ", " << known.feature;
+    }
+    EXPECT_EQ(test::topology_of(result.mesh(Feature::TripleCurve)),
+              (test::Topology{static_cast<std::uint64_t>(truth.curve->components),
+                              static_cast<std::uint64_t>(truth.curve->ends), truth.curve->closed}))
+        << name;
+  }
+}
+
 TEST(VtkContour, OnlyWhatIsAskedFor) {
   const TensorField field = sample_ground_truth(truth_named("lorenz-classic"), 8);
   const Approximation result =
