@@ -16,6 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t kMostPlaces = 1000;  // of defects of one kind that audit.json lists
+
 /// The cells of the input where a feature differs, by kind, by ruling, and by who vouches for them.
 struct Tally {
   std::array<std::uint64_t, kDifferenceKinds> kinds{};
@@ -44,10 +46,16 @@ Json summary_json(const RoadSummary& s, std::uint64_t open) {
                {s.is_curve ? "length" : "area", s.measure},
                {"open_tets", open}};
   if (s.is_curve) return json;
-  Json defects = Json::object();
+  Json defects = Json::object(), places = Json::array();
+  const auto counts = count_defects(s.defects);
   for (std::size_t k = 0; k < kDefectKinds; ++k)
-    defects[std::string(name_of(static_cast<DefectKind>(k)))] = s.defects[k];
+    defects[std::string(name_of(static_cast<DefectKind>(k)))] = counts[k];
+  std::array<std::size_t, kDefectKinds> listed{};
+  for (const Defect& d : s.defects)
+    if (listed[static_cast<std::size_t>(d.kind)]++ < kMostPlaces)
+      places.push_back({{"kind", name_of(d.kind)}, {"position", d.position}});
   json["defects"] = defects;
+  json["defect_places"] = places;
   return json;
 }
 
@@ -154,11 +162,12 @@ std::string audit_table(const AuditRequest& request, const AuditResult& result) 
                  "cells", "components", "euler", "cracks", "non-manif.", "distance", "open tets");
   for (const FeatureAudit& f : result.features) {
     const auto cracks = [](const RoadSummary& s) {
-      return s.defects[static_cast<std::size_t>(DefectKind::OpenEdge)] +
-             s.defects[static_cast<std::size_t>(DefectKind::Crack)];
+      const auto counts = count_defects(s.defects);
+      return counts[static_cast<std::size_t>(DefectKind::OpenEdge)] +
+             counts[static_cast<std::size_t>(DefectKind::Crack)];
     };
     const auto nonmanifold = [](const RoadSummary& s) {
-      return s.defects[static_cast<std::size_t>(DefectKind::NonmanifoldEdge)];
+      return count_defects(s.defects)[static_cast<std::size_t>(DefectKind::NonmanifoldEdge)];
     };
     fmt::format_to(
         out, "{:<{}} {:>15} {:>11} {:>13} {:>9} {:>9} {:>19} {:>11}\n",

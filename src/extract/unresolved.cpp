@@ -66,7 +66,10 @@ void add_place(const RefinedComplex& complex, std::span<const std::uint32_t> lea
     tet.smallest_share = std::min(tet.smallest_share, share);
   }
   for (const std::uint32_t n : leaves) {
-    const double weight = share_of(complex, complex.leaves[n]) / tet.open_share / 4;
+    const double share = share_of(complex, complex.leaves[n]);
+    // Where their corners are too near for doubles they have no volume there, and count alike.
+    const double weight =
+        (tet.open_share > 0 ? share / tet.open_share : 1 / static_cast<double>(leaves.size())) / 4;
     for (const VertexId v : complex.leaves[n].vertices) {
       const Point x = complex.field.position(v);
       for (std::size_t k = 0; k < 3; ++k) {

@@ -114,8 +114,7 @@ std::array<Exact, N> RefinableField::exact_combination(
   const Combination c = combination(v);
   for (int i = 0; i < 4; ++i) {
     if (c.numerators[i] == 0) continue;
-    // n < 2^51 is exact as a double, and so is the scaling by a power of two.
-    const Exact weight(std::ldexp(static_cast<double>(c.numerators[i]), -c.depth));
+    const Exact weight = exact_dyadic(c.numerators[i], c.depth);
     const std::array<double, N>& x = of_input[input_of_[index(c.vertices[i])]];
     for (std::size_t k = 0; k < N; ++k) sum[k] = sum[k] + weight * Exact(x[k]);
   }
@@ -159,7 +158,7 @@ ApproximateTensor RefinableField::combine_tensor(VertexId v) const {
       r.a[k] += weight * entry;
       largest = std::fmax(largest, std::fabs(entry));
     }
-    r.bounds.error = std::fmax(r.bounds.error, gamma(5) * largest + kUnderflow);
+    r.bounds.error = std::fmax(r.bounds.error, gamma(6) * largest + kUnderflow);
   }
   r.bounds.magnitude = largest_entry(r.a);
   return r;
@@ -234,8 +233,8 @@ std::optional<VertexId> RefinableField::add_point_between(VertexId a, VertexId b
   if (is_rational(a) || is_rational(b)) return add_rational_between(a, b, at);
   const std::array<Combination, 2> ends = {combination(a), combination(b)};
   const Dyadic ratio = dyadic(at);
-  const std::array<std::uint64_t, 2> shares = {(std::uint64_t{1} << ratio.depth) - ratio.numerator,
-                                               ratio.numerator};
+  const std::array<WeightNumerator, 2> shares = {
+      (WeightNumerator{1} << ratio.depth) - ratio.numerator, ratio.numerator};
   Combination middle;
   middle.depth = std::max(ends[0].depth, ends[1].depth) + ratio.depth;
   if (middle.depth > kMaxDepth) return std::nullopt;
@@ -244,8 +243,8 @@ std::optional<VertexId> RefinableField::add_point_between(VertexId a, VertexId b
     const Combination& end = ends[k];
     for (int i = 0; i < 4; ++i) {
       if (end.numerators[i] == 0) continue;
-      const std::uint64_t n = shares[k] * end.numerators[i]
-                              << (middle.depth - ratio.depth - end.depth);
+      const WeightNumerator n = shares[k] * end.numerators[i]
+                                << (middle.depth - ratio.depth - end.depth);
       const auto known =
           std::find(middle.vertices.begin(), middle.vertices.begin() + used, end.vertices[i]);
       const auto slot = known - middle.vertices.begin();
@@ -254,14 +253,15 @@ std::optional<VertexId> RefinableField::add_point_between(VertexId a, VertexId b
     }
   }
 
-  // Weights are exact and sum to one; each entry takes one product and three sums: 4 roundings.
+  // Weights sum to one and are rounded once; each entry takes one product and three sums: 5
+  // roundings.
   ApproximateTensor r{};
   for (int i = 0; i < used; ++i) {
     const double w = std::ldexp(static_cast<double>(middle.numerators[i]), -middle.depth);
     const ApproximateTensor& corner = approximations_[index(middle.vertices[i])];
     for (int k = 0; k < 9; ++k) r.a[k] += w * corner.a[k];
     r.bounds.error =
-        std::fmax(r.bounds.error, corner.bounds.error + gamma(5) * corner.bounds.magnitude);
+        std::fmax(r.bounds.error, corner.bounds.error + gamma(6) * corner.bounds.magnitude);
   }
   r.bounds.magnitude = largest_entry(r.a);
   midpoints_.push_back(middle);

@@ -83,7 +83,10 @@ std::array<Exact, 4> RefinableField::exact_weights(VertexId v,
   std::array<Exact, 4> w;
   for (std::size_t i = 0; i < 4; ++i) {
     if (!is_rational(v)) {
-      w[i] = Exact(weight(v, tet[i]));
+      const Combination c = combination(v);
+      for (std::size_t k = 0; k < 4; ++k)
+        if (c.numerators[k] != 0 && c.vertices[k] == tet[i])
+          w[i] = exact_dyadic(c.numerators[k], c.depth);
       continue;
     }
     const Rational& r = rational_.at(v);
@@ -156,12 +159,9 @@ Tensor<ExactRange> RefinableField::enclosure(VertexId v) const {
     return sum;
   }
   const Enclosed& e = enclosed_.at(v);
-  const auto add_multiple = [&](std::uint64_t n, const auto& tensor) {
+  const auto add_multiple = [&](WeightNumerator n, const auto& tensor) {
     if (n == 0) return;
-    constexpr int kHalf = 32;  // a double holds half of the bits exactly
-    const Exact weight = (Exact(static_cast<double>(n >> kHalf)) * Exact(0x1p32) +
-                          Exact(static_cast<double>(n & 0xffffffffu))) *
-                         Exact(std::ldexp(1.0, -e.depth));
+    const Exact weight = exact_dyadic(n, e.depth);
     for (std::size_t k = 0; k < 9; ++k) sum[k] = sum[k] + ExactRange(weight) * tensor[k];
   };
   add_multiple(e.of_node, node_tensors_.at(e.node));
@@ -170,7 +170,8 @@ Tensor<ExactRange> RefinableField::enclosure(VertexId v) const {
   return sum;
 }
 
-/// The mean of two weights is rounded once, by 2^-53 at most.
+/// The mean of two weights, of which that of `b` may have been rounded, is rounded once: by 2^-53 +
+/// 2^-54 in all at most.
 std::optional<VertexId> RefinableField::add_enclosed_midpoint(VertexId a, VertexId b) {
   if (!is_enclosed(a)) std::swap(a, b);
   Enclosed middle = enclosed_.at(a);
@@ -192,7 +193,7 @@ std::optional<VertexId> RefinableField::add_enclosed_midpoint(VertexId a, Vertex
   }
   const int depth = std::max(middle.depth, other.depth) + 1;
   if (depth > kMaxEnclosedDepth) return std::nullopt;
-  const auto mean = [&](std::uint64_t n, std::uint64_t m) {
+  const auto mean = [&](WeightNumerator n, WeightNumerator m) {
     return (n << (depth - 1 - middle.depth)) + (m << (depth - 1 - other.depth));
   };
   double length = 0;

@@ -25,10 +25,19 @@ struct Dyadic {
   int depth;
 };
 
-/// \pre inside (0, 1) and a multiple of 2^-kMaxDepth.
+/// numerator / 2^depth, exactly: by the two words of the numerator.
+inline Exact exact_dyadic(WeightNumerator numerator, int depth) {
+  Exact sum;
+  for (int word = 0; word < 2; ++word) {
+    const auto bits = static_cast<std::uint32_t>(numerator >> (32 * word));
+    if (bits != 0) sum = sum + Exact(std::ldexp(static_cast<double>(bits), 32 * word - depth));
+  }
+  return sum;
+}
+
+/// \pre inside (0, 1) and a multiple of 2^-63.
 inline Dyadic dyadic(double x) {
-  Dyadic r{static_cast<std::uint64_t>(std::ldexp(x, RefinableField::kMaxDepth)),
-           RefinableField::kMaxDepth};
+  Dyadic r{static_cast<std::uint64_t>(std::ldexp(x, 63)), 63};
   while (r.numerator % 2 == 0) {
     r.numerator /= 2;
     r.depth -= 1;

@@ -100,21 +100,26 @@ std::vector<ExactPoint> NodeStars::search(std::span<const TetId> tets, SignStage
 
 /// In intervals, then exactly but for the width of the enclosure.
 bool NodeStars::holds(const Leaf& leaf, const Waiting& node) const {
-  const auto in = [&]<class NT>(const std::array<NT, 4>& point) {
-    TetCoordinates<NT> tet;
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j)
-        tet[i][j] = NT(complex_.field.weight(leaf.vertices[i], node.tet[j]));
-    return is_inside(tet, point);
-  };
+  const RefinableField& field = complex_.field;
   const Verdict verdict = [&] {
     const IntervalRounding protect;
+    const Interval rounded(1 - RefinableField::kWeightError, 1 + RefinableField::kWeightError);
+    TetCoordinates<Interval> tet;
     std::array<Interval, 4> point;
-    for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t j = 0; j < 4; ++j) {
+      for (std::size_t i = 0; i < 4; ++i)
+        tet[i][j] = rounded * Interval(field.weight(leaf.vertices[i], node.tet[j]));
       point[j] = Interval(node.coordinates[j].lo, node.coordinates[j].hi);
-    return in(point);
+    }
+    return is_inside(tet, point);
   }();
-  return (verdict == Verdict::Unknown ? in(node.weights) : verdict) == Verdict::Yes;
+  if (verdict != Verdict::Unknown) return verdict == Verdict::Yes;
+  TetCoordinates<ExactRange> tet;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto weights = field.exact_weights(leaf.vertices[i], node.tet);
+    for (std::size_t j = 0; j < 4; ++j) tet[i][j] = ExactRange(weights[j]);
+  }
+  return is_inside(tet, node.weights) == Verdict::Yes;
 }
 
 std::optional<VertexId> NodeStars::ready_in(const Leaf& leaf, SignStages& stages) const {

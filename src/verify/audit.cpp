@@ -119,8 +119,7 @@ std::vector<Difference> audit(const TensorField& field, const FeatureTable& tabl
     d.reference_open = std::ranges::binary_search(reference.open[f], d.source_cell);
     d.other_open = std::ranges::binary_search(other.open[f], d.source_cell);
     std::tie(d.ruling, d.witness) =
-        detail::find_witness(field, table, d.feature, d.source_cell, tets.of(d.source_cell),
-                             of_reference[f], of_other[f]);
+        detail::find_witness(field, table, d, tets.of(d.source_cell), of_reference[f], of_other[f]);
   });
   if (options.interrupted != nullptr && options.interrupted->load()) throw Interrupted{};
   return all;

@@ -18,9 +18,9 @@ using Edge = std::array<std::uint32_t, 2>;
 using Place = std::array<Point, 2>;  // of an edge, by the coordinates of its ends, ascending
 
 Place place_of(const FeatureMesh& mesh, std::uint32_t a, std::uint32_t b) {
-  return std::minmax(mesh.points[a], mesh.points[b]) == std::pair(mesh.points[a], mesh.points[b])
-             ? Place{mesh.points[a], mesh.points[b]}
-             : Place{mesh.points[b], mesh.points[a]};
+  Place place{mesh.points[a], mesh.points[b]};
+  if (place[1] < place[0]) std::swap(place[0], place[1]);
+  return place;
 }
 
 /// Where pages of one method may end: its triple curve, and the edges of the other page.
@@ -38,12 +38,14 @@ std::vector<Place> ends_of_pages(const FeatureTable& table, std::span<const Feat
   return places;
 }
 
-std::array<std::uint64_t, kDefectKinds> defects_inside(const TensorField& field,
-                                                       const FeatureTable& table,
-                                                       std::span<const FeatureMesh> features,
-                                                       Feature f) {
+std::vector<Defect> defects_inside(const TensorField& field, const FeatureTable& table,
+                                   std::span<const FeatureMesh> features, Feature f) {
   const FeatureMesh& mesh = features[index(f)];
   std::vector<Defect> defects = mesh_defects(view_of(mesh));
+  std::erase_if(defects, [&](const Defect& d) {
+    return d.kind == DefectKind::NonmanifoldVertex &&
+           std::ranges::binary_search(mesh.nodes, d.points[0]);
+  });
   const auto is_open = [](const Defect& d) {
     return d.kind == DefectKind::OpenEdge || d.kind == DefectKind::Crack;
   };
@@ -56,7 +58,7 @@ std::array<std::uint64_t, kDefectKinds> defects_inside(const TensorField& field,
               std::ranges::binary_search(ends, place_of(mesh, d.points[0], d.points[1])));
     });
   }
-  return count_defects(defects);
+  return defects;
 }
 
 }  // namespace

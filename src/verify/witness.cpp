@@ -13,17 +13,28 @@ namespace {
 
 constexpr std::size_t kPiecesAsked = 8;  // triangles of each side that segments are laid across
 
+// Inside a tet flat triangles stand for curved sheets: crossings nearer than that to each other or
+// to an end, as fractions of a segment, are no matter of topology.
+constexpr double kGrazing = 0.1;
+
 /// How often a mesh crosses something, by the two ways of counting points that coincide.
 struct Hits {
   int apart = 0, merged = 0;
+  bool grazing = false;  ///< two crossings, or one and an end, are near to each other
   bool agrees_with(int exact) const { return apart == exact || merged == exact; }
   int nearest_to(int exact) const { return apart == exact ? apart : merged; }
 };
 Hits count(std::vector<double> at) {
   std::ranges::sort(at);
-  Hits hits{static_cast<int>(at.size()), 0};
-  for (std::size_t n = 0; n < at.size(); ++n)
-    hits.merged += n == 0 || at[n] - at[n - 1] > kOnSimplex;
+  Hits hits{static_cast<int>(at.size())};
+  double last = 0;
+  for (std::size_t n = 0; n < at.size(); ++n) {
+    if (n > 0 && at[n] - at[n - 1] <= kOnSimplex) continue;
+    ++hits.merged;
+    hits.grazing = hits.grazing || at[n] - last < kGrazing;
+    last = at[n];
+  }
+  hits.grazing = hits.grazing || (hits.merged > 0 && 1 - last < kGrazing);
   return hits;
 }
 
@@ -156,9 +167,12 @@ void ask_segment(const Case& c, WitnessKind kind, const TetSegment& s, Hearing& 
   const Point to = position_of(c.field, s.tet, s.ends[1]);
   const Hits reference = hits_on_segment(c.reference, c.cell, from, to);
   const Hits other = hits_on_segment(c.other, c.cell, from, to);
-  if (reference.merged == other.merged) return;
+  if (reference.merged == other.merged || reference.grazing || other.grazing) return;
   const auto found = crossings_on(c.field, c.table, c.feature, s);
   if (!found) return;
+  std::vector<double> at;
+  for (const SegmentCrossing& crossing : *found) at.push_back(crossing.t);
+  if (count(std::move(at)).grazing) return;
   const int exact = static_cast<int>(found->size());
   hearing.add(c.witness(kind, s, exact, reference, other), reference.agrees_with(exact),
               other.agrees_with(exact));
@@ -255,15 +269,19 @@ void ask_faces(const Case& c, Hearing& hearing) {
 }  // namespace
 
 std::pair<Ruling, std::optional<Witness>> find_witness(
-    const TensorField& field, const FeatureTable& table, Feature feature, std::int64_t cell,
+    const TensorField& field, const FeatureTable& table, const Difference& difference,
     std::span<const TetId> tets, const SourcePieces& reference, const SourcePieces& other) {
-  const Case c{field, table, feature, cell, tets, reference, other};
+  const Case c{field, table, difference.feature, difference.source_cell, tets, reference, other};
   using Ask = void (*)(const Case&, Hearing&);
   constexpr std::array<Ask, 3> kOfSurfaces = {ask_edges, ask_medians, ask_across};
   constexpr std::array<Ask, 1> kOfCurves = {ask_faces};
-  const bool is_curve = table.row(feature).kind == FeatureKind::Curve;
-  for (const Ask ask :
-       is_curve ? std::span<const Ask>(kOfCurves) : std::span<const Ask>(kOfSurfaces)) {
+  std::span<const Ask> places = kOfSurfaces;
+  if (table.row(difference.feature).kind == FeatureKind::Curve)
+    places = kOfCurves;
+  else if (difference.kind == DifferenceKind::Components ||
+           difference.kind == DifferenceKind::Shape)
+    places = places.first(1);
+  for (const Ask ask : places) {
     Hearing hearing;
     ask(c, hearing);
     if (hearing.decided()) return hearing.ruling();

@@ -12,10 +12,12 @@
 namespace triplex::detail {
 
 /// Looks for the exact answer in a cell of the input, made of these tets, where the two meshes
-/// differ: on the edges of the tets, then along their medians, then across the pieces themselves;
-/// of the curve, in the faces. The first of these places that speaks for one side alone decides.
+/// differ: of the curve, in the faces of the tets; of a surface, on their edges, and where one side
+/// has nothing, along their medians and across the pieces of the other. (Where both have something,
+/// segments inside tell flat triangles from curved sheets rather than one topology from another.)
+/// The first of these places that speaks for one side alone decides.
 std::pair<Ruling, std::optional<Witness>> find_witness(
-    const TensorField& field, const FeatureTable& table, Feature feature, std::int64_t cell,
+    const TensorField& field, const FeatureTable& table, const Difference& difference,
     std::span<const TetId> tets, const SourcePieces& reference, const SourcePieces& other);
 
 }  // namespace triplex::detail

@@ -18,6 +18,9 @@
 
 namespace triplex {
 
+/// The numerator of a dyadic weight.
+using WeightNumerator = std::uint64_t;
+
 /// A tensor at a vertex (the tripled deviator 3 T - tr(T) I, or T itself) in doubles, scaled by a
 /// power of two that all vertices of the field share, with its proven error.
 struct ApproximateTensor {
@@ -119,18 +122,18 @@ class RefinableField {
   /// Whether a simplex lies in a face of the input on which the tensors couple an axis to the plane
   /// beside it in neither way: a plane of symmetry, at least there.
   bool is_in_mirror_plane(std::span<const VertexId> simplex, int axis) const;
-  /// The weight of a vertex of the input in a vertex that is not enclosed: exactly, or of a
-  /// rational one up to kWeightError.
+  /// The weight of a vertex of the input in a vertex that is not enclosed, up to kWeightError of
+  /// itself; exactly if the vertex is neither rational nor made by more than 53 halvings.
   double weight(VertexId v, VertexId corner) const;
   static constexpr double kWeightError = 0x1p-50;
 
-  /// Weights are multiples of 2^-kMaxDepth, exactly representable as doubles.
-  static constexpr int kMaxDepth = 50;
+  /// Weights are multiples of 2^-kMaxDepth: their numerators and 2^kMaxDepth are 64-bit integers.
+  static constexpr int kMaxDepth = 63;
 
  private:
   struct Combination {  // sum of n_i / 2^depth over at most four input vertices; unused: n = 0
     std::array<VertexId, 4> vertices{};
-    std::array<std::uint64_t, 4> numerators{};
+    std::array<WeightNumerator, 4> numerators{};
     int depth = 0;
   };
   void find_mirror_planes();
@@ -142,11 +145,11 @@ class RefinableField {
     std::array<double, 4> weights{};
     double radius = 0;
     VertexId node{};
-    std::uint64_t of_node = 1;
-    std::array<std::uint64_t, 4> of_vertices{};
+    WeightNumerator of_node = 1;
+    std::array<WeightNumerator, 4> of_vertices{};
     int depth = 0;
   };
-  static constexpr int kMaxEnclosedDepth = 60;  // numerators are 64-bit integers
+  static constexpr int kMaxEnclosedDepth = kMaxDepth;
   /// A point with weights n_i / N, where N = n_0 + ... + n_3 is at least 1 and below 2.
   struct Rational {
     std::array<VertexId, 4> vertices{};

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "triplex/feature/feature_mesh.hpp"
 #include "triplex/feature/feature_table.hpp"
@@ -21,10 +22,11 @@ struct RoadSummary {
   BettiNumbers betti;
   std::int64_t euler = 0;
   double measure = 0;  ///< area or length, in doubles
-  /// By the number of the `DefectKind`. Open edges and cracks are those inside the domain: edges
-  /// of one triangle that lie neither on its boundary nor where pages end, on the triple curve of
-  /// the same method or at an edge of the other page of the same zero set.
-  std::array<std::uint64_t, kDefectKinds> defects{};
+  /// By kind, then by points. Open edges and cracks are those inside the domain: edges of one
+  /// triangle that lie neither on its boundary nor where pages end, on the triple curve of the same
+  /// method or at an edge of the other page of the same zero set. Nodes, where the surface is a
+  /// double cone, are no defects.
+  std::vector<Defect> defects;
 };
 
 /// Of one row of the table. Coordinates of points that two meshes of one method have in common are
