@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs `triplex audit` on fields against both fast roads and prints Markdown tables.
 
-usage: scripts/robust_versus_fast.py TRIPLEX FIELD[:TENSOR]... [--tolerance EPS] [--threads N]
+usage: scripts/robust_versus_fast.py TRIPLEX FIELD[:TENSOR]... [--tolerance EPS] [--threads N] [--max-bisections N]
+       [--roads a-patches,vtk-contour]
 
 One row per field, road and feature: components and open tets of both sides, the tets where the topology differs, by kind
 and by who is right, cracks of the fast mesh and the distance from the robust mesh to it; and a table of times.
@@ -21,6 +22,8 @@ ROADS = ("a-patches", "vtk-contour")
 def audit(options, field, tensor, road, folder):
     command = [options.triplex, "audit", field, "-o", folder, "--against", road, "--quiet",
                "--tolerance", str(options.tolerance), "--threads", str(options.threads)]
+    if options.max_bisections is not None:
+        command += ["--max-bisections", str(options.max_bisections)]
     if tensor:
         command += ["--tensor", tensor]
     done = subprocess.run(command, capture_output=True, text=True)
@@ -29,10 +32,10 @@ def audit(options, field, tensor, road, folder):
     return json.loads((pathlib.Path(folder) / "audit.json").read_text())
 
 
-def distance(d, diagonal):
+def distance(d):
     if d is None:
         return "-"
-    return "inf" if d["upper"] == "infinity" else f"{d['upper'] / diagonal:.1e}" if diagonal else f"{d['upper']:.3g}"
+    return "inf" if d["upper"] == "infinity" else f"{d['upper']:.2g}"
 
 
 def main():
@@ -41,6 +44,8 @@ def main():
     parser.add_argument("fields", nargs="+")
     parser.add_argument("--tolerance", type=float, default=1e-3)
     parser.add_argument("--threads", type=int, default=0)
+    parser.add_argument("--max-bisections", type=int)
+    parser.add_argument("--roads", default=",".join(ROADS))
     options = parser.parse_args()
     times = []
     print("| field | tets | fast road | feature | components, robust / fast | euler | open tets | missed | invented | label "
@@ -48,7 +53,7 @@ def main():
     print("|---|---:|---|---|---|---|---|---:|---:|---:|---:|---|---:|---:|")
     for field in options.fields:
         field, _, tensor = field.partition(":")
-        for road in ROADS:
+        for road in options.roads.split(","):
             with tempfile.TemporaryDirectory() as folder:
                 result = audit(options, field, tensor, road, folder)
             name = pathlib.Path(field).stem
@@ -65,7 +70,7 @@ def main():
                       f"| {robust['open_tets']} / {other['open_tets']} | {cells['missed']} | {cells['invented']} "
                       f"| {cells['label']} | {cells['components'] + cells['shape']} "
                       f"| {right['robust']} / {right['other']} / {right['undecided']} | {cracks} "
-                      f"| {distance(f['distance_robust_to_other'], None)} |", flush=True)
+                      f"| {distance(f['distance_robust_to_other'])} |", flush=True)
     print("\n| field | tets | fast road | robust, s | fast, s | robust : fast | robust, MiB | fast, MiB | a certificate refuted |")
     print("|---|---:|---|---:|---:|---:|---:|---:|---|")
     for name, tets, road, cost, refuted in times:
