@@ -38,6 +38,7 @@ void describe(CLI::App& program) {
       "  triplex info lorenz.vtu\n"
       "  triplex extract lorenz.vtu -o lorenz\n"
       "  triplex render lorenz -o lorenz.png\n"
+      "  triplex audit lorenz.vtu -o audit\n"
       "  triplex compare lorenz/neutral-real.vtp other.ply\n"
       "Exit codes: 0 certified, 1 bad input or usage, 2 done but with unresolved cells (of\n"
       "  compare: but the meshes differ), 3 internal fault, 4 out of memory or disk, 130 "

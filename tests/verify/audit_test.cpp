@@ -11,30 +11,15 @@
 #include <functional>
 #include <map>
 
-#include "triplex/extract/extraction.hpp"
-#include "triplex/field/generators.hpp"
+#include "lorenz_meshes.hpp"
 
 namespace triplex {
 namespace {
 
-using Meshes = std::vector<FeatureMesh>;
+using test::Meshes;
 
-class AuditTest : public testing::Test {
+class AuditTest : public test::LorenzMeshes {
  protected:
-  static const TensorField& field() {
-    static const TensorField field = [] {
-      GridOptions grid;
-      grid.n = 6;
-      grid.jitter = 0.15;
-      grid.seed = 4;
-      return generate_lorenz(grid);
-    }();
-    return field;
-  }
-  static const Extraction& certified() {
-    static const Extraction extraction = extract(field());
-    return extraction;
-  }
   static AuditedRoad road(const Meshes& meshes) {
     return {meshes, std::vector<std::vector<std::int64_t>>(meshes.size())};
   }
@@ -89,7 +74,6 @@ class AuditTest : public testing::Test {
 };
 
 TEST_F(AuditTest, IdenticalMeshesDoNotDiffer) {
-  ASSERT_TRUE(certified().certified());
   EXPECT_TRUE(compare(certified().features, certified().features).empty());
 }
 

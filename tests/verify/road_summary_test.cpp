@@ -10,31 +10,16 @@
 #include <algorithm>
 #include <numeric>
 
-#include "triplex/extract/extraction.hpp"
-#include "triplex/field/generators.hpp"
+#include "lorenz_meshes.hpp"
 
 namespace triplex {
 namespace {
 
-using Meshes = std::vector<FeatureMesh>;
+using test::Meshes;
 
-class RoadSummaryTest : public testing::Test {
+class RoadSummaryTest : public test::LorenzMeshes {
  protected:
-  static const TensorField& field() {
-    static const TensorField field = [] {
-      GridOptions grid;
-      grid.n = 6;
-      grid.jitter = 0.15;
-      grid.seed = 4;
-      return generate_lorenz(grid);
-    }();
-    return field;
-  }
-  static const Meshes& meshes() {
-    static const Extraction extraction = extract(field());
-    EXPECT_TRUE(extraction.certified());
-    return extraction.features;
-  }
+  static const Meshes& meshes() { return certified().features; }
   static RoadSummary summary(const Meshes& meshes, Feature f) {
     return summarize(field(), standard_features(), meshes, f);
   }
