@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <cmath>
 
 #include "triplex/field/tensor_field.hpp"
 
@@ -11,9 +12,8 @@ namespace triplex::detail {
 
 using Barycentric = std::array<double, 4>;
 
-/// What is nearer to an edge or face than that, in barycentric coordinates, lies on it. Mesh points
-/// on edges are roots rounded to doubles, a thousand times nearer in any mesh whose tets doubles
-/// can tell apart.
+/// What is nearer to an edge or face than that, in barycentric coordinates, lies on it, also if its
+/// points were moved a little to join them with others.
 inline constexpr double kOnSimplex = 1e-9;
 
 /// Positions to barycentric coordinates in a tet; rounded.
@@ -28,7 +28,14 @@ class TetChart {
     Eigen::Matrix3d edges;
     edges << x(1) - origin_, x(2) - origin_, x(3) - origin_;
     inverse_ = edges.inverse();
+    double size = 0;
+    for (int i = 0; i < 4; ++i) size = std::fmax(size, x(i).cwiseAbs().maxCoeff());
+    rounding_ = 0x1p-48 * size * inverse_.cwiseAbs().rowwise().sum().maxCoeff();
   }
+  /// What rounding the coordinates of a point, and this chart's own arithmetic, may do to its
+  /// barycentric coordinates, with some to spare: nearer points lie on an edge or face if they are
+  /// roots on it.
+  double rounding() const { return rounding_; }
   Barycentric of(const Point& point) const {
     const Eigen::Vector3d b =
         inverse_ * (Eigen::Map<const Eigen::Vector3d>(point.data()) - origin_);
@@ -38,6 +45,7 @@ class TetChart {
  private:
   Eigen::Vector3d origin_;
   Eigen::Matrix3d inverse_;
+  double rounding_ = 0;
 };
 
 }  // namespace triplex::detail

@@ -13,29 +13,43 @@ namespace {
 
 constexpr std::size_t kPiecesAsked = 8;  // triangles of each side that segments are laid across
 
+// Along an edge, as a fraction of it.
+constexpr double kCrowded = 1e-6;
+
 // Inside a tet flat triangles stand for curved sheets: crossings nearer than that to each other or
 // to an end, as fractions of a segment, are no matter of topology.
 constexpr double kGrazing = 0.1;
 
-/// How often a mesh crosses something, by the two ways of counting points that coincide.
+/// How often a mesh crosses something, by several ways of counting: points that coincide apart or
+/// as one, points near an edge or only those on it up to rounding.
 struct Hits {
-  int apart = 0, merged = 0;
+  std::vector<int> counts;
   bool grazing = false;  ///< two crossings, or one and an end, are near to each other
-  bool agrees_with(int exact) const { return apart == exact || merged == exact; }
-  int nearest_to(int exact) const { return apart == exact ? apart : merged; }
+  /// Points so near to each other that doubles cannot tell which of them lie on the edge, as where
+  /// a mesh is very fine: it may be right, but is never found wrong there.
+  bool crowded = false;
+
+  bool contradicts(int exact) const { return !crowded && !agrees_with(exact); }
+  bool agrees_with(int exact) const { return std::ranges::count(counts, exact) > 0; }
+  int nearest_to(int exact) const { return agrees_with(exact) ? exact : counts.back(); }
+  int usual() const { return counts.back(); }
 };
-Hits count(std::vector<double> at) {
+
+void add_counts(std::vector<double> at, Hits& hits) {
   std::ranges::sort(at);
-  Hits hits{static_cast<int>(at.size())};
+  hits.counts.push_back(static_cast<int>(at.size()));
+  int merged = 0;
   double last = 0;
   for (std::size_t n = 0; n < at.size(); ++n) {
     if (n > 0 && at[n] - at[n - 1] <= kOnSimplex) continue;
-    ++hits.merged;
+    ++merged;
     hits.grazing = hits.grazing || at[n] - last < kGrazing;
+    hits.crowded = hits.crowded || (merged > 1 && at[n] - last < kCrowded);
     last = at[n];
   }
-  hits.grazing = hits.grazing || (hits.merged > 0 && 1 - last < kGrazing);
-  return hits;
+  hits.crowded = hits.crowded || merged != hits.counts.back();
+  hits.grazing = hits.grazing || (merged > 0 && 1 - last < kGrazing);
+  hits.counts.push_back(merged);
 }
 
 /// The points of some cells of a mesh, each once.
@@ -57,27 +71,35 @@ std::vector<std::uint32_t> points_of(const SourcePieces& pieces, std::int64_t ce
 /// Points of a mesh on the edge from vertex i to vertex j.
 Hits hits_on_edge(const SourcePieces& pieces, std::int64_t cell, const TetChart& chart, int i,
                   int j) {
-  std::vector<double> at;
-  for (const std::uint32_t v : points_of(pieces, cell)) {
-    const Barycentric b = chart.of(pieces.mesh().points[v]);
-    bool on = true;
-    for (int k = 0; k < 4; ++k)
-      on = on && (k == i || k == j ? b[k] > -kOnSimplex : std::fabs(b[k]) < kOnSimplex);
-    if (on) at.push_back(b[j]);
+  Hits hits;
+  for (const double tolerance : {chart.rounding(), kOnSimplex}) {
+    std::vector<double> at;
+    for (const std::uint32_t v : points_of(pieces, cell)) {
+      const Barycentric b = chart.of(pieces.mesh().points[v]);
+      bool on = true;
+      for (int k = 0; k < 4; ++k)
+        on = on && (k == i || k == j ? b[k] > -tolerance : std::fabs(b[k]) < tolerance);
+      if (on) at.push_back(b[j]);
+    }
+    add_counts(std::move(at), hits);
   }
-  return count(std::move(at));
+  return hits;
 }
 
 /// Points of a curve on the face opposite to vertex i.
 Hits hits_on_face(const SourcePieces& pieces, std::int64_t cell, const TetChart& chart, int i) {
-  std::vector<double> at;
-  for (const std::uint32_t v : points_of(pieces, cell)) {
-    const Barycentric b = chart.of(pieces.mesh().points[v]);
-    bool on = std::fabs(b[i]) < kOnSimplex;
-    for (int k = 0; k < 4; ++k) on = on && b[k] > -kOnSimplex;
-    if (on) at.push_back(b[(i + 1) % 4] + 2 * b[(i + 2) % 4]);
+  Hits hits;
+  for (const double tolerance : {chart.rounding(), kOnSimplex}) {
+    std::vector<double> at;
+    for (const std::uint32_t v : points_of(pieces, cell)) {
+      const Barycentric b = chart.of(pieces.mesh().points[v]);
+      bool on = std::fabs(b[i]) < tolerance;
+      for (int k = 0; k < 4; ++k) on = on && b[k] > -tolerance;
+      if (on) at.push_back(b[(i + 1) % 4] + 2 * b[(i + 2) % 4]);
+    }
+    add_counts(std::move(at), hits);
   }
-  return count(std::move(at));
+  return hits;
 }
 
 /// Triangles of a mesh that a segment passes through.
@@ -98,16 +120,19 @@ Hits hits_on_segment(const SourcePieces& pieces, std::int64_t cell, const Point&
     if (s[0] > -kOnSimplex && s[1] > -kOnSimplex && s[0] + s[1] < 1 + kOnSimplex)
       at.push_back(s[2]);
   }
-  return count(std::move(at));
+  Hits hits;
+  add_counts(std::move(at), hits);
+  return hits;
 }
 
 /// Collects what the candidates of one place say.
 class Hearing {
  public:
-  void add(const Witness& witness, bool reference_agrees, bool other_agrees) {
-    if (reference_agrees == other_agrees) return;
-    auto& kept = reference_agrees ? for_reference_ : for_other_;
-    if (!kept) kept = witness;
+  void add(const Witness& witness, const Hits& reference, const Hits& other) {
+    if (!for_reference_ && reference.agrees_with(witness.exact) && other.contradicts(witness.exact))
+      for_reference_ = witness;
+    if (!for_other_ && other.agrees_with(witness.exact) && reference.contradicts(witness.exact))
+      for_other_ = witness;
   }
   bool decided() const { return for_reference_.has_value() != for_other_.has_value(); }
   std::pair<Ruling, std::optional<Witness>> ruling() const {
@@ -151,13 +176,12 @@ void ask_edges(const Case& c, Hearing& hearing) {
       for (int j = i + 1; j < 4; ++j) {
         const Hits reference = hits_on_edge(c.reference, c.cell, chart, i, j);
         const Hits other = hits_on_edge(c.other, c.cell, chart, i, j);
-        if (reference.apart == other.apart) continue;
+        if (reference.counts == other.counts) continue;
         const TetSegment s{tet, {corner(i), corner(j)}};
         const auto found = crossings_on(c.field, c.table, c.feature, s);
         if (!found) continue;
         const int exact = static_cast<int>(found->size());
-        hearing.add(c.witness(WitnessKind::Edge, s, exact, reference, other),
-                    reference.agrees_with(exact), other.agrees_with(exact));
+        hearing.add(c.witness(WitnessKind::Edge, s, exact, reference, other), reference, other);
       }
   }
 }
@@ -167,15 +191,16 @@ void ask_segment(const Case& c, WitnessKind kind, const TetSegment& s, Hearing& 
   const Point to = position_of(c.field, s.tet, s.ends[1]);
   const Hits reference = hits_on_segment(c.reference, c.cell, from, to);
   const Hits other = hits_on_segment(c.other, c.cell, from, to);
-  if (reference.merged == other.merged || reference.grazing || other.grazing) return;
+  if (reference.counts == other.counts || reference.grazing || other.grazing) return;
   const auto found = crossings_on(c.field, c.table, c.feature, s);
   if (!found) return;
   std::vector<double> at;
   for (const SegmentCrossing& crossing : *found) at.push_back(crossing.t);
-  if (count(std::move(at)).grazing) return;
+  Hits of_field;
+  add_counts(std::move(at), of_field);
+  if (of_field.grazing) return;
   const int exact = static_cast<int>(found->size());
-  hearing.add(c.witness(kind, s, exact, reference, other), reference.agrees_with(exact),
-              other.agrees_with(exact));
+  hearing.add(c.witness(kind, s, exact, reference, other), reference, other);
 }
 
 /// From each vertex to the middle of the opposite face, and between the middles of opposite edges.
@@ -243,13 +268,19 @@ void ask_across(const Case& c, Hearing& hearing) {
   }
 }
 
+/// The winding number tells the parity of the number of points: counts that have it as if equal.
+Hits parity_of(Hits hits, int winding) {
+  for (int& n : hits.counts) n = n % 2 == winding % 2 ? winding : winding + 1;
+  return hits;
+}
+
 void ask_faces(const Case& c, Hearing& hearing) {
   for (const TetId tet : c.tets) {
     const TetChart chart(c.field, tet);
     for (int i = 0; i < 4; ++i) {
       const Hits reference = hits_on_face(c.reference, c.cell, chart, i);
       const Hits other = hits_on_face(c.other, c.cell, chart, i);
-      if (reference.merged % 2 == other.merged % 2) continue;
+      if (reference.counts == other.counts) continue;
       const std::array<TetWeights, 3> face = {corner((i + 1) % 4), corner((i + 2) % 4),
                                               corner((i + 3) % 4)};
       const auto winding = winding_on(c.field, tet, face);
@@ -259,9 +290,9 @@ void ask_faces(const Case& c, Hearing& hearing) {
                    tet,
                    {position_of(c.field, tet, face[0]), position_of(c.field, tet, face[1])},
                    exact,
-                   reference.merged,
-                   other.merged},
-                  reference.merged % 2 == exact % 2, other.merged % 2 == exact % 2);
+                   reference.usual(),
+                   other.usual()},
+                  parity_of(reference, exact), parity_of(other, exact));
     }
   }
 }
