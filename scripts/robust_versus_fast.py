@@ -48,9 +48,9 @@ def main():
     parser.add_argument("--roads", default=",".join(ROADS))
     options = parser.parse_args()
     times = []
-    print("| field | tets | fast road | feature | components, robust / fast | euler | open tets | missed | invented | label "
+    print("| field | tets | fast road | feature | components, robust / fast | missed / invented | euler | open tets | missed | invented | label "
           "| pieces, shape | right: robust / fast / undecided | cracks of fast | distance |")
-    print("|---|---:|---|---|---|---|---|---:|---:|---:|---:|---|---:|---:|")
+    print("|---|---:|---|---|---|---|---|---|---:|---:|---:|---:|---|---:|---:|")
     for field in options.fields:
         field, _, tensor = field.partition(":")
         for road in options.roads.split(","):
@@ -66,7 +66,8 @@ def main():
                 defects = other.get("defects", {})
                 cracks = defects.get("open-edge", 0) + defects.get("crack", 0)
                 print(f"| {name} | {result['field']['tets']} | {road} | {feature} "
-                      f"| {robust['components']} / {other['components']} | {robust['euler']} / {other['euler']} "
+                      f"| {robust['components']} / {other['components']} "
+                      f"| {len(f.get('components_missed', []))} / {len(f.get('components_invented', []))} | {robust['euler']} / {other['euler']} "
                       f"| {robust['open_tets']} / {other['open_tets']} | {cells['missed']} | {cells['invented']} "
                       f"| {cells['label']} | {cells['components'] + cells['shape']} "
                       f"| {right['robust']} / {right['other']} / {right['undecided']} | {cracks} "

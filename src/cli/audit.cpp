@@ -85,10 +85,17 @@ AuditedRoad road_of(const Approximation& approximation) {
   return road;
 }
 
-double diagonal_of(const TensorField& field) {
+/// The diagonal of the domain, and the edge of a cube as large as six of its tets are on the
+/// average.
+struct DomainSize {
+  double diagonal = 0, cell = 0;
+};
+DomainSize size_of(const TensorField& field) {
   BoundingBox box{field.mesh.points.front(), field.mesh.points.front()};
   for (const Point& x : field.mesh.points) box = common_box(box, {x, x});
-  return box.diagonal();
+  double volume = 1;
+  for (std::size_t k = 0; k < 3; ++k) volume *= box.high[k] - box.low[k];
+  return {box.diagonal(), std::cbrt(6 * volume / static_cast<double>(field.mesh.tets.size()))};
 }
 
 /// Of one feature: numbers of both sides and the distances between them.
@@ -102,12 +109,14 @@ FeatureAudit audit_feature(const TensorField& field, const FeatureTable& table, 
   audit.robust_open = robust.open[index(f)].size();
   audit.other_open = other.open[index(f)].size();
   if (request.tolerance == 0) return audit;
-  DistanceOptions options;
-  options.gap = request.tolerance * diagonal_of(field);
+  // Components belong together if they are nearer than a cell is large; chords are off by less.
+  const DomainSize size = size_of(field);
+  ComparisonOptions options;
+  options.tolerance = size.cell;
+  options.gap = request.tolerance * size.diagonal;
   options.check = throw_if_interrupted;
-  const MeshView a = view_of(robust.features[index(f)]), b = view_of(other.features[index(f)]);
-  audit.missing = directed_distance(a, b, options);
-  audit.extra = directed_distance(b, a, options);
+  audit.comparison = compare_meshes(view_of(robust.features[index(f)]),
+                                    view_of(other.features[index(f)]), options);
   return audit;
 }
 

@@ -59,11 +59,41 @@ Json summary_json(const RoadSummary& s, std::uint64_t open) {
   return json;
 }
 
-Json distance_json(const std::optional<DirectedDistance>& d) {
-  if (!d) return nullptr;
+Json distance_json(const DirectedDistance& d) {
   // JSON has no infinity: one side is empty.
   const auto number = [](double x) { return x <= 1e300 ? Json(x) : Json("infinity"); };
-  return {{"lower", number(d->lower)}, {"upper", number(d->upper)}, {"from", d->from}};
+  return {{"lower", number(d.lower)}, {"upper", number(d.upper)}, {"from", d.from}};
+}
+
+/// The components of one side that the other has none of.
+Json alone_json(const ComparedMesh& mesh) {
+  Json list = Json::array();
+  for (const std::uint32_t c : mesh.alone) {
+    const ComponentSummary& component = mesh.components[c];
+    list.push_back({{"place", component.place},
+                    {"cells", component.size.triangles + component.size.segments},
+                    {"euler", component.size.betti.euler()}});
+  }
+  return list;
+}
+
+void add_comparison(const std::optional<MeshComparison>& comparison, Json& json) {
+  if (!comparison) {
+    json["distance_robust_to_other"] = json["distance_other_to_robust"] = nullptr;
+    return;
+  }
+  const auto& [robust, other] = comparison->meshes;
+  const auto matches_of_several = [&](std::size_t side) {
+    return std::ranges::count_if(comparison->matches, [side](const ComponentMatch& m) {
+      return m.components[side].size() > 1;
+    });
+  };
+  json["distance_robust_to_other"] = distance_json(robust.distance);
+  json["distance_other_to_robust"] = distance_json(other.distance);
+  json["components_missed"] = alone_json(robust);
+  json["components_invented"] = alone_json(other);
+  json["components_joined"] = matches_of_several(0);
+  json["components_split"] = matches_of_several(1);
 }
 
 Json feature_json(const AuditResult& result, const FeatureAudit& f) {
@@ -71,14 +101,13 @@ Json feature_json(const AuditResult& result, const FeatureAudit& f) {
   Json cells = {{"total", t.total}};
   for (std::size_t k = 0; k < kDifferenceKinds; ++k)
     cells[std::string(name_of(static_cast<DifferenceKind>(k)))] = t.kinds[k];
-  return {
-      {"robust", summary_json(f.robust, f.robust_open)},
-      {"other", summary_json(f.other, f.other_open)},
-      {"distance_robust_to_other", distance_json(f.missing)},
-      {"distance_other_to_robust", distance_json(f.extra)},
-      {"differing_tets", cells},
-      {"differing_and_open", {{"robust", t.robust_open}, {"other", t.other_open}}},
-      {"right", {{"robust", t.rulings[1]}, {"other", t.rulings[2]}, {"undecided", t.rulings[0]}}}};
+  Json json = {{"robust", summary_json(f.robust, f.robust_open)},
+               {"other", summary_json(f.other, f.other_open)}};
+  add_comparison(f.comparison, json);
+  json["differing_tets"] = cells;
+  json["differing_and_open"] = {{"robust", t.robust_open}, {"other", t.other_open}};
+  json["right"] = {{"robust", t.rulings[1]}, {"other", t.rulings[2]}, {"undecided", t.rulings[0]}};
+  return json;
 }
 
 Json difference_json(const AuditResult& result, const Difference& d) {
@@ -106,10 +135,7 @@ Json cost_json(const RoadCost& cost) {
   return {{"seconds", cost.seconds}, {"bytes", cost.bytes ? Json(*cost.bytes) : Json(nullptr)}};
 }
 
-std::string distance_text(const std::optional<DirectedDistance>& d) {
-  if (!d) return "-";
-  return d->upper <= 1e300 ? fmt::format("{:.3g}", d->upper) : "inf";
-}
+std::string number_text(double x) { return x <= 1e300 ? fmt::format("{:.3g}", x) : "inf"; }
 
 std::string cost_line(std::string_view name, const RoadCost& cost) {
   return fmt::format(
@@ -149,33 +175,48 @@ Json audit_json(const AuditRequest& request, const AuditResult& result) {
           {"differences", differences}};
 }
 
+namespace {
+
+constexpr std::string_view kMeshLine =
+    "{:<{}} {:>15} {:>11} {:>10} {:>13} {:>9} {:>10} {:>19} {:>11}\n";
+
+/// One feature on both roads, robust/other.
+std::string mesh_line(const AuditResult& result, const FeatureAudit& f, std::size_t width) {
+  const auto both = [](auto a, auto b) { return fmt::format("{}/{}", a, b); };
+  const auto robust = count_defects(f.robust.defects), other = count_defects(f.other.defects);
+  const auto of = [](const auto& counts, DefectKind kind) {
+    return counts[static_cast<std::size_t>(kind)];
+  };
+  const auto cracks = [&](const auto& counts) {
+    return of(counts, DefectKind::OpenEdge) + of(counts, DefectKind::Crack);
+  };
+  std::string alone = "-", distance = "-";
+  if (f.comparison) {
+    const auto& [a, b] = f.comparison->meshes;
+    alone = both(a.alone.size(), b.alone.size());
+    distance = both(number_text(a.distance.upper), number_text(b.distance.upper));
+  }
+  return fmt::format(
+      kMeshLine, result.table.row(f.feature).name, width, both(f.robust.cells, f.other.cells),
+      both(f.robust.betti.b0, f.other.betti.b0), alone, both(f.robust.euler, f.other.euler),
+      both(cracks(robust), cracks(other)),
+      both(of(robust, DefectKind::NonmanifoldEdge), of(other, DefectKind::NonmanifoldEdge)),
+      distance, both(f.robust_open, f.other_open));
+}
+
+}  // namespace
+
 std::string audit_table(const AuditRequest& request, const AuditResult& result) {
   std::size_t width = 18;
   for (const FeatureAudit& f : result.features)
     width = std::max(width, result.table.row(f.feature).name.size());
   std::string text;
   const auto out = std::back_inserter(text);
-  const auto both = [](auto a, auto b) { return fmt::format("{}/{}", a, b); };
   fmt::format_to(out, "robust against {}, robust/{} in each column\n", request.against,
                  request.against);
-  fmt::format_to(out, "{:<{}} {:>15} {:>11} {:>13} {:>9} {:>9} {:>19} {:>11}\n", "feature", width,
-                 "cells", "components", "euler", "cracks", "non-manif.", "distance", "open tets");
-  for (const FeatureAudit& f : result.features) {
-    const auto cracks = [](const RoadSummary& s) {
-      const auto counts = count_defects(s.defects);
-      return counts[static_cast<std::size_t>(DefectKind::OpenEdge)] +
-             counts[static_cast<std::size_t>(DefectKind::Crack)];
-    };
-    const auto nonmanifold = [](const RoadSummary& s) {
-      return count_defects(s.defects)[static_cast<std::size_t>(DefectKind::NonmanifoldEdge)];
-    };
-    fmt::format_to(
-        out, "{:<{}} {:>15} {:>11} {:>13} {:>9} {:>9} {:>19} {:>11}\n",
-        result.table.row(f.feature).name, width, both(f.robust.cells, f.other.cells),
-        both(f.robust.betti.b0, f.other.betti.b0), both(f.robust.euler, f.other.euler),
-        both(cracks(f.robust), cracks(f.other)), both(nonmanifold(f.robust), nonmanifold(f.other)),
-        both(distance_text(f.missing), distance_text(f.extra)), both(f.robust_open, f.other_open));
-  }
+  fmt::format_to(out, kMeshLine, "feature", width, "cells", "components", "unmatched", "euler",
+                 "cracks", "non-manif.", "distance", "open tets");
+  for (const FeatureAudit& f : result.features) text += mesh_line(result, f, width);
   fmt::format_to(out, "\ntets where the topology differs, and who is right by exact arithmetic\n");
   fmt::format_to(out, "{:<{}} {:>8} {:>8} {:>8} {:>8} {:>10} {:>8}   {:>8} {:>8} {:>9}\n",
                  "feature", width, "tets", "missed", "invented", "label", "components", "shape",

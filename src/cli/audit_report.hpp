@@ -12,7 +12,7 @@
 #include "triplex/feature/feature_table.hpp"
 #include "triplex/io/read_field.hpp"
 #include "triplex/verify/audit.hpp"
-#include "triplex/verify/mesh_distance.hpp"
+#include "triplex/verify/mesh_comparison.hpp"
 #include "triplex/verify/road_summary.hpp"
 
 namespace triplex::cli {
@@ -24,7 +24,7 @@ struct AuditRequest {
   ReadOptions reading;
   FeatureRequest features;
   std::string against = "a-patches";
-  double tolerance = 1e-3;  ///< of distances, relative to the diagonal of the domain
+  double tolerance = 1e-3;  ///< of distances, relative to the diagonal of the domain; 0: none
   int max_depth = 0;
   int samples = 1;
   std::optional<std::uint32_t> max_bisections;  ///< nothing: the default
@@ -38,8 +38,9 @@ struct FeatureAudit {
   Feature feature{};
   RoadSummary robust, other;
   std::uint64_t robust_open = 0, other_open = 0;  ///< cells of the input
-  /// From each side to the other; nothing if not asked for.
-  std::optional<DirectedDistance> missing, extra;
+  /// Robust first: distances from each side to the other, and components matched by place. Nothing
+  /// if not asked for.
+  std::optional<MeshComparison> comparison;
 };
 
 /// What one road cost.
