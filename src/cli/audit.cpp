@@ -63,6 +63,7 @@ Approximation run_other(const TensorField& field, const AuditRequest& request,
   options.features = requested.set;
   options.max_depth = request.max_depth;
   options.samples = request.samples;
+  if (request.layers_only) options.patch_test = PatchTest::Layers;
   options.threads = request.threads;
   options.progress = [&](std::string_view step, double done) { progress.show(step, done); };
   options.interrupted = &interrupted();
@@ -212,6 +213,8 @@ void add_audit(CLI::App& program, Action& action) {
       ->check(CLI::Range(1, 64))
       ->type_name("N")
       ->capture_default_str();
+  command->add_flag("--layers-only", request->layers_only,
+                    "A-patches by the published condition on layers alone");
   command
       ->add_option("--max-bisections", request->max_bisections,
                    "Bisections that one tet may ask for before it is listed as unresolved")

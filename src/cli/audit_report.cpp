@@ -163,6 +163,7 @@ Json audit_json(const AuditRequest& request, const AuditResult& result) {
                   {"tolerance", request.tolerance},
                   {"max_depth", request.max_depth},
                   {"samples", request.samples},
+                  {"layers_only", request.layers_only},
                   {"max_bisections", result.max_bisections},
                   {"threads", request.threads}});
   return {{"version", kVersion},

@@ -27,6 +27,7 @@ struct AuditRequest {
   double tolerance = 1e-3;  ///< of distances, relative to the diagonal of the domain; 0: none
   int max_depth = 0;
   int samples = 1;
+  bool layers_only = false;                     ///< what counts as an A-patch
   std::optional<std::uint32_t> max_bisections;  ///< nothing: the default
   unsigned threads = 0;
   bool meshes = false;
