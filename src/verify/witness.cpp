@@ -134,6 +134,11 @@ class Hearing {
     if (!for_other_ && other.agrees_with(witness.exact) && reference.contradicts(witness.exact))
       for_other_ = witness;
   }
+  /// For the only side that has the feature: it is there.
+  void add_presence(const Witness& witness, bool reference_has_it) {
+    auto& kept = reference_has_it ? for_reference_ : for_other_;
+    if (!kept) kept = witness;
+  }
   bool decided() const { return for_reference_.has_value() != for_other_.has_value(); }
   std::pair<Ruling, std::optional<Witness>> ruling() const {
     return for_reference_ ? std::pair{Ruling::Reference, for_reference_}
@@ -191,16 +196,23 @@ void ask_segment(const Case& c, WitnessKind kind, const TetSegment& s, Hearing& 
   const Point to = position_of(c.field, s.tet, s.ends[1]);
   const Hits reference = hits_on_segment(c.reference, c.cell, from, to);
   const Hits other = hits_on_segment(c.other, c.cell, from, to);
-  if (reference.counts == other.counts || reference.grazing || other.grazing) return;
+  if (reference.counts == other.counts) return;
   const auto found = crossings_on(c.field, c.table, c.feature, s);
   if (!found) return;
+  const int exact = static_cast<int>(found->size());
+  const Witness witness = c.witness(kind, s, exact, reference, other);
+  const bool reference_has_it = !c.reference.in(c.cell).empty();
+  const bool other_has_it = !c.other.in(c.cell).empty();
+  if (exact > 0 && reference_has_it != other_has_it) {
+    hearing.add_presence(witness, reference_has_it);
+    return;
+  }
   std::vector<double> at;
   for (const SegmentCrossing& crossing : *found) at.push_back(crossing.t);
   Hits of_field;
   add_counts(std::move(at), of_field);
-  if (of_field.grazing) return;
-  const int exact = static_cast<int>(found->size());
-  hearing.add(c.witness(kind, s, exact, reference, other), reference, other);
+  if (of_field.grazing || reference.grazing || other.grazing) return;
+  hearing.add(witness, reference, other);
 }
 
 /// From each vertex to the middle of the opposite face, and between the middles of opposite edges.

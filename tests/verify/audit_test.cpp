@@ -12,6 +12,7 @@
 #include <map>
 
 #include "lorenz_meshes.hpp"
+#include "triplex/field/ground_truth.hpp"
 
 namespace triplex {
 namespace {
@@ -225,6 +226,32 @@ TEST_F(AuditTest, AHoleIsAnotherShape) {
   EXPECT_EQ(found[0].kind, DifferenceKind::Shape);
   EXPECT_EQ(found[0].reference, (PieceTopology{1, 1, 1}));
   EXPECT_EQ(found[0].other, (PieceTopology{1, 0, 2}));
+}
+
+/// A sphere of radius 1/512 inside one tet, that no edge and no face sees.
+TEST(AuditInsideATet, ACrossingProvesThatTheFeatureIsThere) {
+  const auto truth =
+      std::ranges::find(ground_truth_suite(), "balanced-ball-linear", &GroundTruth::name);
+  ASSERT_NE(truth, ground_truth_suite().end());
+  const TensorField field = sample_ground_truth(*truth, 8);
+  ExtractionOptions options;
+  options.features = bit(Feature::BalancedLinear);
+  const Extraction extraction = extract(field, options);
+  ASSERT_TRUE(extraction.certified());
+  const Meshes nothing(extraction.features.size());
+  const std::vector<std::vector<std::int64_t>> none(nothing.size());
+  for (const bool is_missed : {true, false}) {
+    const AuditedRoad with{extraction.features, none}, without{nothing, none};
+    const auto found = audit(field, standard_features(), options.features,
+                             is_missed ? with : without, is_missed ? without : with);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].kind, is_missed ? DifferenceKind::Missed : DifferenceKind::Invented);
+    EXPECT_EQ(found[0].ruling, is_missed ? Ruling::Reference : Ruling::Other);
+    ASSERT_TRUE(found[0].witness);
+    EXPECT_NE(found[0].witness->kind, WitnessKind::Edge);
+    EXPECT_EQ(found[0].witness->exact, 2);
+    EXPECT_TRUE(found[0].witness->is_proof());
+  }
 }
 
 TEST_F(AuditTest, CellsNotVouchedForAreMarked) {

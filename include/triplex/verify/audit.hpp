@@ -68,10 +68,12 @@ struct Witness {
   int exact = 0;
   int reference = 0, other = 0;
 
-  /// What the two sides have there is a matter of topology: their points on edges and faces are
-  /// points of the true surface. Inside tets flat triangles stand for it, and may pass on the other
-  /// side of a segment.
-  bool is_proof() const { return kind == WitnessKind::Edge || kind == WitnessKind::Face; }
+  /// Points of a mesh on edges and faces are points of the true surface, and a crossing inside a
+  /// tet in which one side has nothing shows that the feature is there. Without one, flat triangles
+  /// stand for the surface, and may pass on the other side of a segment.
+  bool is_proof() const {
+    return kind == WitnessKind::Edge || kind == WitnessKind::Face || exact > 0;
+  }
 };
 
 struct Difference {
