@@ -13,6 +13,7 @@
 
 #include "triplex/field/bad_input.hpp"
 #include "triplex/field/orientation.hpp"
+#include "update_in_one_thread.hpp"
 #include "vtk_grid.hpp"
 #include "vtk_messages.hpp"
 #include "vtk_output.hpp"
@@ -167,7 +168,7 @@ void take_gradients(vtkUnstructuredGrid& grid, RawField& raw, bool join) {
   filter->SetResultArrayName("gradient");
   filter->FasterApproximationOff();
   filter->SetReplacementValueOption(vtkGradientFilter::NaN);
-  filter->Update();
+  update_in_one_thread(*filter);
   auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
   auto* gradient = vtkDoubleArray::SafeDownCast(
       output == nullptr ? nullptr : output->GetPointData()->GetArray("gradient"));
