@@ -9,6 +9,7 @@
 
 #include "audit_report.hpp"
 #include "command.hpp"
+#include "effort_options.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "reading_options.hpp"
@@ -46,8 +47,8 @@ Extraction run_robust(const TensorField& field, const AuditRequest& request,
   ExtractionOptions options;
   options.table = requested.table;
   options.features = requested.set;
-  options.max_bisections = request.max_bisections;
-  options.threads = request.threads;
+  options.max_bisections = request.effort.max_bisections;
+  options.threads = request.effort.threads;
   options.progress = [&](std::string_view step, double done) { progress.show(step, done); };
   options.interrupted = &interrupted();
   return extract(field, options);
@@ -64,7 +65,7 @@ Approximation run_other(const TensorField& field, const AuditRequest& request,
   options.max_depth = request.max_depth;
   options.samples = request.samples;
   if (request.layers_only) options.patch_test = PatchTest::Layers;
-  options.threads = request.threads;
+  options.threads = request.effort.threads;
   options.progress = [&](std::string_view step, double done) { progress.show(step, done); };
   options.interrupted = &interrupted();
   return extract_a_patches(field, options);
@@ -86,35 +87,37 @@ AuditedRoad road_of(const Approximation& approximation) {
   return road;
 }
 
-/// The diagonal of the domain, and the edge of a cube as large as six of its tets are on the
-/// average.
-struct DomainSize {
+/// What of the field the comparison of two meshes needs: where surfaces may end, the diagonal of
+/// its box, and the edge of a cube that is as large as six of as many tets in that box.
+struct Domain {
+  DomainBoundary boundary;
   double diagonal = 0, cell = 0;
+
+  explicit Domain(const TensorField& field) : boundary(field) {
+    BoundingBox box{field.mesh.points.front(), field.mesh.points.front()};
+    for (const Point& x : field.mesh.points) box = common_box(box, {x, x});
+    double volume = 1;
+    for (std::size_t k = 0; k < 3; ++k) volume *= box.high[k] - box.low[k];
+    diagonal = box.diagonal();
+    cell = std::cbrt(6 * volume / static_cast<double>(field.mesh.tets.size()));
+  }
 };
-DomainSize size_of(const TensorField& field) {
-  BoundingBox box{field.mesh.points.front(), field.mesh.points.front()};
-  for (const Point& x : field.mesh.points) box = common_box(box, {x, x});
-  double volume = 1;
-  for (std::size_t k = 0; k < 3; ++k) volume *= box.high[k] - box.low[k];
-  return {box.diagonal(), std::cbrt(6 * volume / static_cast<double>(field.mesh.tets.size()))};
-}
 
 /// Of one feature: numbers of both sides and the distances between them.
-FeatureAudit audit_feature(const TensorField& field, const FeatureTable& table, Feature f,
+FeatureAudit audit_feature(const Domain& domain, const FeatureTable& table, Feature f,
                            const AuditedRoad& robust, const AuditedRoad& other,
                            const AuditRequest& request) {
   FeatureAudit audit;
   audit.feature = f;
-  audit.robust = summarize(field, table, robust.features, f);
-  audit.other = summarize(field, table, other.features, f);
+  audit.robust = summarize(domain.boundary, table, robust.features, f);
+  audit.other = summarize(domain.boundary, table, other.features, f);
   audit.robust_open = robust.open[index(f)].size();
   audit.other_open = other.open[index(f)].size();
   if (request.tolerance == 0) return audit;
   // Components belong together if they are nearer than a cell is large; chords are off by less.
-  const DomainSize size = size_of(field);
   ComparisonOptions options;
-  options.tolerance = size.cell;
-  options.gap = request.tolerance * size.diagonal;
+  options.tolerance = domain.cell;
+  options.gap = request.tolerance * domain.diagonal;
   options.check = throw_if_interrupted;
   audit.comparison = compare_meshes(view_of(robust.features[index(f)]),
                                     view_of(other.features[index(f)]), options);
@@ -129,18 +132,19 @@ AuditResult compare_roads(const TensorField& field, const RequestedFeatures& req
   result.table = requested.table;
   result.tets = field.mesh.tets.size();
   result.max_bisections = extraction.refinement.max_bisections;
+  const Domain domain(field);
   for (const Feature f : reading_order(requested.set)) {
     if (contains(extraction.curves, f)) {
       result.left_out.push_back(f);
       continue;
     }
     progress.show("measuring " + requested.table.row(f).name);
-    result.features.push_back(audit_feature(field, requested.table, f, robust, other, request));
+    result.features.push_back(audit_feature(domain, requested.table, f, robust, other, request));
     throw_if_interrupted();
   }
   progress.show("auditing tets");
   AuditOptions options;
-  options.threads = request.threads;
+  options.threads = request.effort.threads;
   options.interrupted = &interrupted();
   result.differences =
       audit(field, requested.table, requested.set & ~extraction.curves, robust, other, options);
@@ -155,7 +159,7 @@ void write_meshes(const RequestedFeatures& requested, const std::string& prefix,
 }
 
 ExitCode run_audit(const AuditRequest& request) {
-  Progress progress(request.quiet);
+  Progress progress(request.effort.quiet);
   progress.show("reading and checking");
   InputRepairs repairs;
   const TensorField field = read_field(request.field, request.reading, &repairs);
@@ -216,22 +220,13 @@ void add_audit(CLI::App& program, Action& action) {
   command->add_flag("--layers-only", request->layers_only,
                     "A-patches by the published condition on layers alone");
   command
-      ->add_option("--max-bisections", request->max_bisections,
-                   "Bisections that one tet may ask for before it is listed as unresolved")
-      ->check(CLI::Range(0u, 1'000'000u))
-      ->type_name("N");
-  command
       ->add_option("--tolerance", request->tolerance,
                    "Of the distances, relative to the diagonal of the domain; 0: no distances")
       ->check(CLI::Range(0.0, 1.0))
       ->type_name("EPS")
       ->capture_default_str();
   command->add_flag("--meshes", request->meshes, "Also write the meshes of both roads");
-  command->add_option("--threads", request->threads, "Threads; 0: all cores")
-      ->check(CLI::Range(0u, 4096u))
-      ->type_name("N")
-      ->capture_default_str();
-  command->add_flag("--quiet", request->quiet, "No progress on stderr");
+  add_effort_options(*command, request->effort);
   command->footer(
       "Examples:\n"
       "  triplex audit flow.vtu -o audit\n"

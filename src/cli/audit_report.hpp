@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "effort_options.hpp"
 #include "feature_list.hpp"
 #include "triplex/feature/feature_table.hpp"
 #include "triplex/io/read_field.hpp"
@@ -27,11 +28,9 @@ struct AuditRequest {
   double tolerance = 1e-3;  ///< of distances, relative to the diagonal of the domain; 0: none
   int max_depth = 0;
   int samples = 1;
-  bool layers_only = false;                     ///< what counts as an A-patch
-  std::optional<std::uint32_t> max_bisections;  ///< nothing: the default
-  unsigned threads = 0;
+  bool layers_only = false;  ///< what counts as an A-patch
+  EffortOptions effort;
   bool meshes = false;
-  bool quiet = false;
 };
 
 /// One feature on both roads.

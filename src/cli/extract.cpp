@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "effort_options.hpp"
 #include "feature_list.hpp"
 #include "interrupt.hpp"
 #include "periodic_option.hpp"
@@ -54,8 +55,8 @@ Extraction extract_with_progress(const TensorField& field, const ExtractRequest&
   options.keep_tensors = !request.arrays.empty();
   options.domains = request.domains;
   options.periodic = parse_axes(request.periodic);
-  options.max_bisections = request.max_bisections;
-  options.threads = request.threads;
+  options.max_bisections = request.effort.max_bisections;
+  options.threads = request.effort.threads;
   options.progress = [&](std::string_view step, double done) { steps.progress.show(step, done); };
   options.interrupted = &interrupted();
   try {
@@ -127,7 +128,7 @@ void write_results(const ExtractRequest& request, const TensorField& field,
 }
 
 ExitCode run_extract(const ExtractRequest& request) {
-  Steps steps{Progress(request.quiet), {}, {}, {}};
+  Steps steps{Progress(request.effort.quiet), {}, {}, {}};
   InputRepairs repairs;
   const TensorField field = read_checked(request, repairs, steps);
   StagedDirectory directory(request.directory);  // before the long part: it may be unwritable
@@ -199,18 +200,7 @@ void add_extract(CLI::App& program, Action& action) {
                     "Also domains.vtu: the domain cut by all pages into cells");
   add_periodic_option(*command, request->periodic,
                       "Opposite sides across these axes are one; their tensors must be equal");
-  command
-      ->add_option(
-          "--max-bisections", request->max_bisections,
-          "Bisections that one tet may ask for before it is listed as unresolved; without it "
-          "1024, or its share of 65536 in a field of less than 64 tets")
-      ->check(CLI::Range(0u, 1'000'000u))
-      ->type_name("N");
-  command->add_option("--threads", request->threads, "Threads; 0: all cores")
-      ->check(CLI::Range(0u, 4096u))
-      ->type_name("N")
-      ->capture_default_str();
-  command->add_flag("--quiet", request->quiet, "No progress on stderr");
+  add_effort_options(*command, request->effort);
   command->footer(
       "Examples:\n"
       "  triplex extract flow.vtu -o flow\n"

@@ -3,7 +3,6 @@
 #include "report.hpp"
 
 #include <fmt/core.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <iterator>
@@ -11,18 +10,13 @@
 #include <nlohmann/json.hpp>
 
 #include "report_places.hpp"
+#include "triplex/io/resident_memory.hpp"
 #include "version.hpp"
 
 namespace triplex::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::uint64_t peak_memory_bytes() {
-  rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in kilobytes
-}
 
 Json bounds_of(const TensorField& field) {
   Json bounds = Json::array();
@@ -61,7 +55,7 @@ Json options_json(const ExtractRequest& request, const Extraction& extraction) {
                {"symmetric", request.symmetric},
                {"domains", request.domains},
                {"max_bisections", extraction.refinement.max_bisections},
-               {"threads", request.threads},
+               {"threads", request.effort.threads},
                {"tensor", request.reading.tensor_name},
                {"gradient_of", request.reading.gradient_of},
                {"transpose", request.reading.transpose},
@@ -228,7 +222,8 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
                         {"write", timing.write},
                         {"total", timing.total}};
   if (extraction.curves != 0) report["timing_s"]["curves"] = extraction.timing.curves_s;
-  report["peak_memory_bytes"] = peak_memory_bytes();
+  const auto memory = resident_memory();
+  report["peak_memory_bytes"] = memory ? Json(memory->peak) : Json(nullptr);
   return report;
 }
 

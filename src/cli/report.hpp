@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "effort_options.hpp"
 #include "feature_list.hpp"
 #include "triplex/extract/extraction.hpp"
 #include "triplex/io/read_field.hpp"
@@ -44,11 +44,9 @@ struct ExtractRequest {
   std::vector<std::string> arrays;  ///< names of further point arrays
   std::vector<MeshFormat> formats = {MeshFormat::Vtp};
   std::vector<std::string> periodic;  ///< axes
-  std::optional<std::uint32_t> max_bisections;  ///< nothing: the default
-  unsigned threads = 0;
+  EffortOptions effort;
   bool symmetric = false;  ///< take the symmetric parts of the tensors
   bool domains = false;
-  bool quiet = false;
 };
 
 /// The contents of report.json; docs/formats.md says what each key means.

@@ -22,13 +22,7 @@ using detail::Corners;
 using detail::SimplexTree;
 
 MeshSize size_of(const MeshView& mesh) {
-  std::vector<bool> used(mesh.points.size(), false);
-  const auto use = [&](const auto& cells) {
-    for (const auto& cell : cells)
-      for (const std::uint32_t v : cell) used[v] = true;
-  };
-  use(mesh.triangles);
-  use(mesh.segments);
+  const std::vector<bool> used = used_points(mesh);
   return {static_cast<std::uint64_t>(std::ranges::count(used, true)),
           mesh.triangles.size(),
           mesh.segments.size(),

@@ -26,13 +26,7 @@ DisjointSets joined_points(const MeshView& mesh) {
 /// Per point the number of its component, by place; `kNone` where no cell uses it.
 std::vector<std::uint32_t> component_of_points(const MeshView& mesh, std::vector<Point>& places) {
   DisjointSets sets = joined_points(mesh);
-  std::vector<bool> used(mesh.points.size(), false);
-  const auto use = [&](const auto& cells) {
-    for (const auto& cell : cells)
-      for (const std::uint32_t v : cell) used[v] = true;
-  };
-  use(mesh.triangles);
-  use(mesh.segments);
+  const std::vector<bool> used = used_points(mesh);
   std::vector<std::uint32_t> lowest(mesh.points.size(), kNone);  // by representative
   std::vector<std::uint32_t> roots;
   for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {

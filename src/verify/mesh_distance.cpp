@@ -119,13 +119,7 @@ class Search {
   }
 
   std::vector<Piece> whole_cells() {
-    std::vector<bool> used(from_.points.size(), false);
-    const auto use = [&](const auto& cells) {
-      for (const auto& cell : cells)
-        for (const std::uint32_t v : cell) used[v] = true;
-    };
-    use(from_.triangles);
-    use(from_.segments);
+    const std::vector<bool> used = used_points(from_);
     std::vector<Corner> vertices(from_.points.size());
     in_parallel(vertices.size(), [&](std::size_t v) {
       if (used[v]) vertices[v] = corner_at(from_.points[v]);

@@ -40,6 +40,17 @@ void check_mesh(const MeshView& mesh) {
         throw std::invalid_argument(fmt::format("point {} has the coordinate {}", v, x));
 }
 
+std::vector<bool> used_points(const MeshView& mesh) {
+  std::vector<bool> used(mesh.points.size(), false);
+  const auto use = [&](const auto& cells) {
+    for (const auto& cell : cells)
+      for (const std::uint32_t v : cell) used[v] = true;
+  };
+  use(mesh.triangles);
+  use(mesh.segments);
+  return used;
+}
+
 double BoundingBox::diagonal() const {
   return empty() ? 0 : std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }

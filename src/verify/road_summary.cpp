@@ -9,7 +9,6 @@
 #include "other_page.hpp"
 #include "triplex/topology/curve_topology.hpp"
 #include "triplex/topology/surface_topology.hpp"
-#include "triplex/verify/domain_boundary.hpp"
 
 namespace triplex {
 namespace {
@@ -38,7 +37,7 @@ std::vector<Place> ends_of_pages(const FeatureTable& table, std::span<const Feat
   return places;
 }
 
-std::vector<Defect> defects_inside(const TensorField& field, const FeatureTable& table,
+std::vector<Defect> defects_inside(const DomainBoundary& domain, const FeatureTable& table,
                                    std::span<const FeatureMesh> features, Feature f) {
   const FeatureMesh& mesh = features[index(f)];
   std::vector<Defect> defects = mesh_defects(view_of(mesh));
@@ -50,7 +49,7 @@ std::vector<Defect> defects_inside(const TensorField& field, const FeatureTable&
     return d.kind == DefectKind::OpenEdge || d.kind == DefectKind::Crack;
   };
   if (std::ranges::any_of(defects, is_open)) {
-    const std::vector<Edge> boundary = edges_on_boundary(field, mesh);
+    const std::vector<Edge> boundary = domain.edges_of(mesh);
     const std::vector<Place> ends = ends_of_pages(table, features, f);
     std::erase_if(defects, [&](const Defect& d) {
       return is_open(d) &&
@@ -63,7 +62,7 @@ std::vector<Defect> defects_inside(const TensorField& field, const FeatureTable&
 
 }  // namespace
 
-RoadSummary summarize(const TensorField& field, const FeatureTable& table,
+RoadSummary summarize(const DomainBoundary& boundary, const FeatureTable& table,
                       std::span<const FeatureMesh> features, Feature f) {
   const FeatureMesh& mesh = features[index(f)];
   RoadSummary summary;
@@ -82,7 +81,7 @@ RoadSummary summarize(const TensorField& field, const FeatureTable& table,
   summary.cells = t.triangles;
   summary.euler = t.euler;
   summary.measure = area_approx(mesh.points, mesh.triangles);
-  summary.defects = defects_inside(field, table, features, f);
+  summary.defects = defects_inside(boundary, table, features, f);
   return summary;
 }
 

@@ -13,7 +13,8 @@ namespace triplex::detail {
 using Barycentric = std::array<double, 4>;
 
 /// What is nearer to an edge or face than that, in barycentric coordinates, lies on it, also if its
-/// points were moved a little to join them with others.
+/// points were moved a little to join them with others: A-patches move them by 2^-40 of the mesh,
+/// which is below this where no tet is a thousand times smaller than the mesh.
 inline constexpr double kOnSimplex = 1e-9;
 
 /// Positions to barycentric coordinates in a tet; rounded.
@@ -30,6 +31,8 @@ class TetChart {
     inverse_ = edges.inverse();
     double size = 0;
     for (int i = 0; i < 4; ++i) size = std::fmax(size, x(i).cwiseAbs().maxCoeff());
+    // A coordinate of a root on an edge, of its difference from the origin and of the product below
+    // take a dozen roundings, 2^-53 of the largest coordinate each.
     rounding_ = 0x1p-48 * size * inverse_.cwiseAbs().rowwise().sum().maxCoeff();
   }
   /// What rounding the coordinates of a point, and this chart's own arithmetic, may do to its

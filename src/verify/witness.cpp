@@ -11,11 +11,12 @@
 namespace triplex::detail {
 namespace {
 
-constexpr std::size_t kPiecesAsked = 8;  // triangles of each side that segments are laid across
-
-// Along an edge, as a fraction of it.
+// These three choose where to look and when to say nothing: any values leave what is said right.
+// Triangles of each side that segments are laid across.
+constexpr std::size_t kPiecesAsked = 8;
+// Along an edge, as a fraction of it; far above kOnSimplex, so that no point on the edge is taken
+// for one beside it.
 constexpr double kCrowded = 1e-6;
-
 // Inside a tet flat triangles stand for curved sheets: crossings nearer than that to each other or
 // to an end, as fractions of a segment, are no matter of topology.
 constexpr double kGrazing = 0.1;
@@ -68,39 +69,46 @@ std::vector<std::uint32_t> points_of(const SourcePieces& pieces, std::int64_t ce
   return points;
 }
 
-/// Points of a mesh on the edge from vertex i to vertex j.
-Hits hits_on_edge(const SourcePieces& pieces, std::int64_t cell, const TetChart& chart, int i,
-                  int j) {
-  Hits hits;
-  for (const double tolerance : {chart.rounding(), kOnSimplex}) {
-    std::vector<double> at;
-    for (const std::uint32_t v : points_of(pieces, cell)) {
-      const Barycentric b = chart.of(pieces.mesh().points[v]);
-      bool on = true;
-      for (int k = 0; k < 4; ++k)
-        on = on && (k == i || k == j ? b[k] > -tolerance : std::fabs(b[k]) < tolerance);
-      if (on) at.push_back(b[j]);
-    }
-    add_counts(std::move(at), hits);
+/// The points of a mesh in a cell, by their barycentric coordinates in one of its tets.
+class PointsInTet {
+ public:
+  PointsInTet(const SourcePieces& pieces, std::int64_t cell, const TetChart& chart)
+      : rounding_(chart.rounding()) {
+    for (const std::uint32_t v : points_of(pieces, cell))
+      coordinates_.push_back(chart.of(pieces.mesh().points[v]));
   }
-  return hits;
-}
+  /// On the edge from vertex i to vertex j.
+  Hits on_edge(std::size_t i, std::size_t j) const {
+    return on((1u << i) | (1u << j), [&](const Barycentric& b) { return b[j]; });
+  }
+  /// On the face opposite to vertex i: counted by their parity only.
+  Hits on_face(std::size_t i) const {
+    return on(0b1111u & ~(1u << i),
+              [&](const Barycentric& b) { return b[(i + 1) % 4] + 2 * b[(i + 2) % 4]; });
+  }
 
-/// Points of a curve on the face opposite to vertex i.
-Hits hits_on_face(const SourcePieces& pieces, std::int64_t cell, const TetChart& chart, int i) {
-  Hits hits;
-  for (const double tolerance : {chart.rounding(), kOnSimplex}) {
-    std::vector<double> at;
-    for (const std::uint32_t v : points_of(pieces, cell)) {
-      const Barycentric b = chart.of(pieces.mesh().points[v]);
-      bool on = std::fabs(b[i]) < tolerance;
-      for (int k = 0; k < 4; ++k) on = on && b[k] > -tolerance;
-      if (on) at.push_back(b[(i + 1) % 4] + 2 * b[(i + 2) % 4]);
+ private:
+  /// On the simplex of the vertices in a set of bits, told apart by `place`.
+  template <class Place>
+  Hits on(unsigned simplex, const Place& place) const {
+    Hits hits;
+    for (const double tolerance : {rounding_, kOnSimplex}) {
+      std::vector<double> at;
+      for (const Barycentric& b : coordinates_) {
+        bool is_on = true;
+        for (std::size_t k = 0; k < 4; ++k)
+          is_on =
+              is_on && ((simplex >> k & 1u) != 0 ? b[k] > -tolerance : std::fabs(b[k]) < tolerance);
+        if (is_on) at.push_back(place(b));
+      }
+      add_counts(std::move(at), hits);
     }
-    add_counts(std::move(at), hits);
+    return hits;
   }
-  return hits;
-}
+
+  std::vector<Barycentric> coordinates_;
+  double rounding_;
+};
 
 /// Triangles of a mesh that a segment passes through.
 Hits hits_on_segment(const SourcePieces& pieces, std::int64_t cell, const Point& from,
@@ -168,19 +176,19 @@ struct Case {
   }
 };
 
-TetWeights corner(int i) {
+TetWeights corner(std::size_t i) {
   TetWeights w{};
-  w[static_cast<std::size_t>(i)] = std::int64_t{1} << kWeightBits;
+  w[i] = std::int64_t{1} << kWeightBits;
   return w;
 }
 
 void ask_edges(const Case& c, Hearing& hearing) {
   for (const TetId tet : c.tets) {
     const TetChart chart(c.field, tet);
-    for (int i = 0; i < 4; ++i)
-      for (int j = i + 1; j < 4; ++j) {
-        const Hits reference = hits_on_edge(c.reference, c.cell, chart, i, j);
-        const Hits other = hits_on_edge(c.other, c.cell, chart, i, j);
+    const PointsInTet of_reference(c.reference, c.cell, chart), of_other(c.other, c.cell, chart);
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        const Hits reference = of_reference.on_edge(i, j), other = of_other.on_edge(i, j);
         if (reference.counts == other.counts) continue;
         const TetSegment s{tet, {corner(i), corner(j)}};
         const auto found = crossings_on(c.field, c.table, c.feature, s);
@@ -219,12 +227,12 @@ void ask_segment(const Case& c, WitnessKind kind, const TetSegment& s, Hearing& 
 void ask_medians(const Case& c, Hearing& hearing) {
   constexpr double kThird = 1.0 / 3;
   for (const TetId tet : c.tets) {
-    for (int i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4; ++i) {
       Barycentric middle = {kThird, kThird, kThird, kThird};
       middle[i] = 0;
       ask_segment(c, WitnessKind::Median, {tet, {corner(i), weights_near(middle)}}, hearing);
     }
-    for (int i = 1; i < 4; ++i) {
+    for (std::size_t i = 1; i < 4; ++i) {
       Barycentric one = {0.5, 0, 0, 0}, opposite = {0, 0.5, 0.5, 0.5};
       one[i] = 0.5;
       opposite[i] = 0;
@@ -289,9 +297,9 @@ Hits parity_of(Hits hits, int winding) {
 void ask_faces(const Case& c, Hearing& hearing) {
   for (const TetId tet : c.tets) {
     const TetChart chart(c.field, tet);
-    for (int i = 0; i < 4; ++i) {
-      const Hits reference = hits_on_face(c.reference, c.cell, chart, i);
-      const Hits other = hits_on_face(c.other, c.cell, chart, i);
+    const PointsInTet of_reference(c.reference, c.cell, chart), of_other(c.other, c.cell, chart);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Hits reference = of_reference.on_face(i), other = of_other.on_face(i);
       if (reference.counts == other.counts) continue;
       const std::array<TetWeights, 3> face = {corner((i + 1) % 4), corner((i + 2) % 4),
                                               corner((i + 3) % 4)};

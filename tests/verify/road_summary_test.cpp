@@ -21,7 +21,7 @@ class RoadSummaryTest : public test::LorenzMeshes {
  protected:
   static const Meshes& meshes() { return certified().features; }
   static RoadSummary summary(const Meshes& meshes, Feature f) {
-    return summarize(field(), standard_features(), meshes, f);
+    return summarize(DomainBoundary(field()), standard_features(), meshes, f);
   }
   static std::array<std::uint64_t, kDefectKinds> counts(const Meshes& meshes, Feature f) {
     return count_defects(summary(meshes, f).defects);

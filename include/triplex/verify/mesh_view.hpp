@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "triplex/bernstein/tensor_array.hpp"
 
@@ -30,6 +31,9 @@ MeshView view_of(const Mesh& mesh) {
 /// than 2^30 cells, and coordinates that are finite and at most 1e100 in magnitude, so that their
 /// squares are numbers. Cost: linear. \throw std::invalid_argument that names the first culprit.
 void check_mesh(const MeshView& mesh);
+
+/// Per point: whether a cell uses it. \pre `check_mesh`.
+std::vector<bool> used_points(const MeshView& mesh);
 
 /// An axis-parallel box; empty where low > high.
 struct BoundingBox {

@@ -9,8 +9,8 @@
 
 #include "triplex/feature/feature_mesh.hpp"
 #include "triplex/feature/feature_table.hpp"
-#include "triplex/field/tensor_field.hpp"
 #include "triplex/verify/betti.hpp"
+#include "triplex/verify/domain_boundary.hpp"
 #include "triplex/verify/mesh_defects.hpp"
 
 namespace triplex {
@@ -31,7 +31,7 @@ struct RoadSummary {
 
 /// Of one row of the table. Coordinates of points that two meshes of one method have in common are
 /// taken to be equal bit for bit. \pre triangles lie in their source cells.
-RoadSummary summarize(const TensorField& field, const FeatureTable& table,
+RoadSummary summarize(const DomainBoundary& boundary, const FeatureTable& table,
                       std::span<const FeatureMesh> features, Feature f);
 
 }  // namespace triplex

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "effort_options.hpp"
+
+namespace triplex::cli {
+
+void add_effort_options(CLI::App& command, EffortOptions& options) {
+  command
+      .add_option("--max-bisections", options.max_bisections,
+                  "Bisections that one tet may ask for before it is listed as unresolved; without "
+                  "it 1024, or its share of 65536 in a field of less than 64 tets")
+      ->check(CLI::Range(0u, 1'000'000u))
+      ->type_name("N");
+  command.add_option("--threads", options.threads, "Threads; 0: all cores")
+      ->check(CLI::Range(0u, 4096u))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_flag("--quiet", options.quiet, "No progress on stderr");
+}
+
+}  // namespace triplex::cli
