@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
@@ -25,6 +26,7 @@
 #include "triplex/io/write_domains.hpp"
 #include "triplex/io/write_mesh.hpp"
 #include "triplex/io/write_nodes.hpp"
+#include "triplex/meshing/mesh_patches.hpp"
 #include "triplex/tensor/point_arrays.hpp"
 
 namespace triplex::cli {
@@ -35,6 +37,7 @@ struct Steps {
   StepTiming timing;
   Stopwatch step;
   Stopwatch total;
+  std::optional<MeshAccuracy> accuracy;
 };
 
 TensorField read_checked(const ExtractRequest& request, InputRepairs& repairs, Steps& steps) {
@@ -46,6 +49,24 @@ TensorField read_checked(const ExtractRequest& request, InputRepairs& repairs, S
   return field;
 }
 
+/// Meshes of bounded distance in the place of one polygon per tet.
+void refine_meshes(const TensorField& field, const ExtractRequest& request, Extraction& extraction,
+                   Steps& steps) {
+  MeshingOptions options;
+  options.tolerance = parse_tolerance(request.tolerance);
+  options.keep_tensors = !request.arrays.empty();
+  options.threads = request.effort.threads;
+  options.progress = [&](std::string_view step, double done) { steps.progress.show(step, done); };
+  options.interrupted = &interrupted();
+  MeshedPatches meshed = mesh_patches(field, *extraction.patches, options);
+  for (std::size_t n = 0; n < meshed.features.size(); ++n)
+    if (!contains(extraction.curves, static_cast<Feature>(n)))
+      extraction.features[n] = std::move(meshed.features[n]);
+  steps.accuracy = meshed.accuracy;
+  extraction.patches.reset();
+  steps.timing.mesh = steps.step.lap();
+}
+
 Extraction extract_with_progress(const TensorField& field, const ExtractRequest& request,
                                  Steps& steps) {
   ExtractionOptions options;
@@ -53,6 +74,7 @@ Extraction extract_with_progress(const TensorField& field, const ExtractRequest&
   options.table = requested.table;
   options.features = requested.set;
   options.keep_tensors = !request.arrays.empty();
+  options.keep_patches = !request.tolerance.empty();
   options.domains = request.domains;
   options.periodic = parse_axes(request.periodic);
   options.max_bisections = request.effort.max_bisections;
@@ -123,16 +145,17 @@ void write_results(const ExtractRequest& request, const TensorField& field,
   steps.timing.write = steps.step.lap();
   steps.timing.total = steps.total.lap();
   write_text_file(directory.stage("report.json"),
-                  make_report(request, field, extraction, summaries, steps.timing).dump(2) + "\n");
+                  make_report(request, field, extraction, summaries, steps.accuracy, steps.timing).dump(2) + "\n");
   directory.commit();
 }
 
 ExitCode run_extract(const ExtractRequest& request) {
-  Steps steps{Progress(request.effort.quiet), {}, {}, {}};
+  Steps steps{Progress(request.effort.quiet), {}, {}, {}, {}};
   InputRepairs repairs;
   const TensorField field = read_checked(request, repairs, steps);
   StagedDirectory directory(request.directory);  // before the long part: it may be unwritable
-  const Extraction extraction = extract_with_progress(field, request, steps);
+  Extraction extraction = extract_with_progress(field, request, steps);
+  if (!request.tolerance.empty()) refine_meshes(field, request, extraction, steps);
   steps.progress.show("topology");
   const FeatureSummaries summaries = summarize(extraction);
   steps.timing.topology = steps.step.lap();
@@ -140,6 +163,7 @@ ExitCode run_extract(const ExtractRequest& request) {
   steps.progress.clear();
   fmt::print("{}", describe_reading(field.split, repairs));
   fmt::print("{}", make_table(extraction, summaries));
+  if (steps.accuracy) fmt::print("{}", describe(*steps.accuracy));
   return extraction.certified() ? ExitCode::Certified : ExitCode::Unresolved;
 }
 
@@ -158,6 +182,16 @@ void check_array_names(std::vector<std::string>& names) {
   std::erase_if(names, [](const std::string& n) { return n == "p" || n == "q" || n == "mode"; });
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
+}
+
+void check_tolerance(const ExtractRequest& request) {
+  if (request.tolerance.empty()) return;
+  if (!parse_tolerance(request.tolerance))
+    throw UsageError(fmt::format(
+        "--tolerance: '{}' is no positive number, with or without an r behind it",
+        request.tolerance));
+  if (!request.periodic.empty())
+    throw UsageError("--tolerance cannot be combined with --periodic");
 }
 
 std::vector<MeshFormat> parse_formats(const std::vector<std::string>& names) {
@@ -198,6 +232,11 @@ void add_extract(CLI::App& program, Action& action) {
       "Take the symmetric parts of the tensors; their degenerate features are curves");
   command->add_flag("--domains", request->domains,
                     "Also domains.vtu: the domain cut by all pages into cells");
+  command
+      ->add_option("--tolerance", request->tolerance,
+                   "Largest distance between meshes and surfaces, both ways: a length, or with an r "
+                   "behind it a part of the longest edge of the tet at hand")
+      ->type_name("EPS");
   add_periodic_option(*command, request->periodic,
                       "Opposite sides across these axes are one; their tensors must be equal");
   add_effort_options(*command, request->effort);
@@ -206,6 +245,7 @@ void add_extract(CLI::App& program, Action& action) {
       "  triplex extract flow.vtu -o flow\n"
       "  triplex extract flow.vtu -o flow --features degenerate-linear,triple-curve\n"
       "  triplex extract flow.vtu -o flow --gradient-of U\n"
+      "  triplex extract flow.vtu -o flow --tolerance 1e-3r\n"
       "  triplex extract beam.vtu -o beam --symmetric\n"
       "  triplex extract flow.vtu -o flow --features none --mode 1/2,-,+ --mode 1/2,-,-\n"
       "DIR gets one file per feature (empty ones too), nodes.vtp, features.vtpc for all of them, "
@@ -214,6 +254,7 @@ void add_extract(CLI::App& program, Action& action) {
     resolve(request->features);  // what is wrong with it is better known before the work
     check_array_names(request->arrays);
     parse_axes(request->periodic);
+    check_tolerance(*request);
     if (!formats->empty()) request->formats = parse_formats(*formats);
     action = [request] { return run_extract(*request); };
   });

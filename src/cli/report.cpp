@@ -54,6 +54,7 @@ Json options_json(const ExtractRequest& request, const Extraction& extraction) {
                {"periodic", request.periodic},
                {"symmetric", request.symmetric},
                {"domains", request.domains},
+               {"tolerance", request.tolerance},
                {"max_bisections", extraction.refinement.max_bisections},
                {"threads", request.effort.threads},
                {"tensor", request.reading.tensor_name},
@@ -73,6 +74,8 @@ Json surface_json(const FeatureSummary& summary) {
           {"euler", s.euler},
           {"boundary_loops", s.boundary_loops},
           {"area", summary.measure},
+          {"smallest_angles",
+           {{"degrees", summary.angles.smallest}, {"by_ten_degrees", summary.angles.counts}}},
           {"unresolved", summary.unresolved}};
 }
 
@@ -118,6 +121,16 @@ Json domains_json(const DomainMesh& mesh) {
   const auto volumes = domain_volumes_approx(mesh);
   for (std::size_t d = 0; d < kDomains; ++d) json[name_of(static_cast<Domain>(d))] = volumes[d];
   return json;
+}
+
+Json accuracy_json(const MeshAccuracy& accuracy) {
+  return {{"patches", accuracy.patches},
+          {"within_tolerance", accuracy.within},
+          {"beyond_tolerance", accuracy.beyond},
+          {"unproven", accuracy.unproven},
+          {"largest_error", accuracy.largest_error},
+          {"largest_vertex_error", accuracy.largest_vertex_error},
+          {"unproven_vertices", accuracy.unproven_vertices}};
 }
 
 Json range_json(const Range& range) { return {range.lo, range.hi}; }
@@ -176,6 +189,7 @@ FeatureSummaries summarize(const Extraction& extraction) {
         return surface_topology(triangles, mesh.points.size());
       });
       summary.measure = area_approx(mesh.points, mesh.triangles);
+      summary.angles = smallest_angles_approx(mesh.points, mesh.triangles);
     }
     summary.unresolved = static_cast<std::uint64_t>(
         std::count_if(extraction.unresolved.begin(), extraction.unresolved.end(),
@@ -186,7 +200,7 @@ FeatureSummaries summarize(const Extraction& extraction) {
 
 Json make_report(const ExtractRequest& request, const TensorField& field,
                  const Extraction& extraction, const FeatureSummaries& summaries,
-                 const StepTiming& timing) {
+                 const std::optional<MeshAccuracy>& accuracy, const StepTiming& timing) {
   const CertificateCounts& proofs = extraction.certificates;
   const RefinementStatistics& refinement = extraction.refinement;
   const SignStages& stages = extraction.sign_stages;
@@ -207,6 +221,7 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
       {"filter", stages.filter}, {"interval", stages.interval}, {"exact", stages.exact}};
   if (extraction.curves != 0) report["symmetric"] = {{"shifted", extraction.curves_shifted}};
   report["features"] = features_json(extraction, summaries);
+  if (accuracy) report["accuracy"] = accuracy_json(*accuracy);
   if (request.domains) report["domains"] = domains_json(extraction.domains);
   report["nodes"] = nodes_json(extraction);
   report["nodes_undecided"] = nodes_undecided_json(field, extraction);
@@ -221,6 +236,7 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
                         {"topology", timing.topology},
                         {"write", timing.write},
                         {"total", timing.total}};
+  if (accuracy) report["timing_s"]["mesh"] = timing.mesh;
   if (extraction.curves != 0) report["timing_s"]["curves"] = extraction.timing.curves_s;
   const auto memory = resident_memory();
   report["peak_memory_bytes"] = memory ? Json(memory->peak) : Json(nullptr);
@@ -243,6 +259,15 @@ std::string nodes_line(const Extraction& extraction) {
 }
 
 }  // namespace
+
+std::string describe(const MeshAccuracy& accuracy) {
+  std::string line = fmt::format("{} of {} patches proven to be within the tolerance",
+                                 accuracy.within, accuracy.patches);
+  if (accuracy.beyond > 0)
+    line += fmt::format("; {} beyond, by at most {:.3g}", accuracy.beyond, accuracy.largest_error);
+  if (accuracy.unproven > 0) line += fmt::format("; {} not proven", accuracy.unproven);
+  return line + "\n";
+}
 
 std::string make_table(const Extraction& extraction, const FeatureSummaries& summaries) {
   constexpr std::string_view kLine = "{:<{}} {:>9} {:>9} {:>10} {:>6} {:>8} {:>12.6g} {:>10}\n";

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,10 @@
 #include "triplex/extract/extraction.hpp"
 #include "triplex/io/read_field.hpp"
 #include "triplex/io/write_mesh.hpp"
+#include "triplex/meshing/mesh_patches.hpp"
 #include "triplex/topology/curve_topology.hpp"
 #include "triplex/topology/surface_topology.hpp"
+#include "triplex/topology/triangle_quality.hpp"
 
 namespace triplex::cli {
 
@@ -24,6 +27,7 @@ struct FeatureSummary {
   SurfaceTopology surface;
   CurveTopology curve;
   double measure = 0;
+  AngleHistogram angles;  ///< of a surface
   std::uint64_t unresolved = 0;  ///< tets of the input whose list names the feature
 };
 using FeatureSummaries = std::vector<FeatureSummary>;  ///< per row of the table
@@ -32,7 +36,7 @@ FeatureSummaries summarize(const Extraction& extraction);
 
 /// Seconds of wall time per step of the run; reading includes checking.
 struct StepTiming {
-  double read = 0, topology = 0, write = 0, total = 0;
+  double read = 0, mesh = 0, topology = 0, write = 0, total = 0;
 };
 
 /// What the user asked for, as given.
@@ -47,14 +51,19 @@ struct ExtractRequest {
   EffortOptions effort;
   bool symmetric = false;  ///< take the symmetric parts of the tensors
   bool domains = false;
+  std::string tolerance;  ///< empty: one polygon per tet
 };
 
 /// The contents of report.json; docs/formats.md says what each key means.
 nlohmann::ordered_json make_report(const ExtractRequest& request, const TensorField& field,
                                    const Extraction& extraction, const FeatureSummaries& summaries,
+                                   const std::optional<MeshAccuracy>& accuracy,
                                    const StepTiming& timing);
 
 /// The table for people.
 std::string make_table(const Extraction& extraction, const FeatureSummaries& summaries);
+
+/// A line about the distance between meshes and surfaces.
+std::string describe(const MeshAccuracy& accuracy);
 
 }  // namespace triplex::cli

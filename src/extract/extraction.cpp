@@ -13,6 +13,7 @@
 
 #include "domain_cells.hpp"
 #include "feature_mesh.hpp"
+#include "patch_complex.hpp"
 #include "triplex/arithmetic/fp_environment.hpp"
 #include "triplex/extract/degenerate_curves.hpp"
 #include "triplex/field/symmetric.hpp"
@@ -224,6 +225,10 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
     if (c.error < 1)
       result.largest_crossing_error = std::max(result.largest_crossing_error, c.error);
   result.spine_accuracy = accuracy_of(spine_points);
+  if (options.keep_patches)
+    result.patches = std::make_shared<const PatchComplex>(
+        make_patch_complex(field, std::move(complex), crossings, spine_points, active,
+                           options.features & ~result.curves));
   result.timing.extract_s += watch.lap();
   return result;
 }

@@ -7,38 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <unordered_map>
 
 #include "patch_fan.hpp"
+#include "triplex/feature/invariants_on.hpp"
 
 namespace triplex {
 namespace {
 
 constexpr std::size_t kChunk = 4096;  // leaves per part; parts are joined in order
-
-/// p, q and mode with the values that the feature has by definition put in.
-std::array<double, 3> on_feature(const FeatureTable& table, Feature feature, double p, double q) {
-  const FeatureRow& row = table.row(feature);
-  if (row.kind == FeatureKind::LevelSet) {
-    const double w = std::sqrt(std::fabs(p) / 3);
-    return {p, q, std::fabs(q) / (2 * w * w * w)};
-  }
-  switch (table.sheet(feature).kind) {
-    case Sheet::Kind::Balanced:
-      return {0, q, std::numeric_limits<double>::infinity()};
-    case Sheet::Kind::Neutral:
-      return {p, 0, 0};
-    case Sheet::Kind::Curved: {
-      const double sign_p = static_cast<int>(row.sign_p), sign_q = static_cast<int>(row.sign_q);
-      const double w = std::sqrt(std::fmax(0, sign_p * p) / 3), mu = row.mode.value();
-      return {p, sign_q * mu * 2 * w * w * w, mu};
-    }
-  }
-  return {p, q, 0};
-}
-
-constexpr std::array<double, 3> kOnSpine = {0, 0, std::numeric_limits<double>::quiet_NaN()};
 
 }  // namespace
 
@@ -51,35 +27,7 @@ FeatureMeshBuilder::FeatureMeshBuilder(const TensorField& input, const RefinedCo
       crossings_(crossings),
       spine_points_(spine_points),
       keep_tensors_(keep_tensors),
-      edge_of_(crossings.crossings().size()) {
-  for (std::size_t e = 0; e < crossings.edges().size(); ++e) {
-    const CrossedEdge& edge = crossings.edges()[e];
-    for (int i = 0; i < edge.count(); ++i)
-      edge_of_[edge.first + static_cast<std::uint32_t>(i)] = static_cast<std::uint32_t>(e);
-  }
-  join_crossings_at_nodes();
-}
-
-/// The edges from a node into the complex domain all cross the surface there: one point.
-void FeatureMeshBuilder::join_crossings_at_nodes() {
-  joined_.resize(edge_of_.size());
-  std::iota(joined_.begin(), joined_.end(), 0u);
-  at_node_.resize(edge_of_.size());
-  std::unordered_map<VertexId, std::uint32_t> first;
-  for (const CrossedEdge& edge : crossings_.edges())
-    for (const VertexId end : edge.ends) {
-      if (!complex_.field.is_node(end)) continue;
-      for (int i = 0; i < edge.pages(); ++i) {
-        const std::uint32_t crossing = edge.first + static_cast<std::uint32_t>(i);
-        const Crossing& c = crossings_.crossings()[crossing];
-        const bool is_degenerate =
-            c.feature == Feature::DegenerateLinear || c.feature == Feature::DegeneratePlanar;
-        if (!is_degenerate || c.t != (end == edge.ends[1] ? 1 : 0)) continue;
-        joined_[crossing] = first.try_emplace(end, crossing).first->second;
-        at_node_[crossing] = true;
-      }
-    }
-}
+      joined_(complex, crossings) {}
 
 std::vector<FeatureMesh> FeatureMeshBuilder::build(const std::vector<std::uint32_t>& active_leaves,
                                                    FeatureSet features) const {
@@ -113,7 +61,7 @@ void FeatureMeshBuilder::add_leaf(const Leaf& leaf, FeatureSet features, CellPat
 void FeatureMeshBuilder::add_fan(const PatchLoop& loop, std::int64_t source, bool certified,
                                  std::vector<Cell>& out) const {
   const auto joined = [&](PatchVertex v) {
-    if (!v.on_spine) v.number = joined_[v.number];
+    if (!v.on_spine) v.number = joined_.joined[v.number];
     return v;
   };
   const auto same = [](const PatchVertex& a, const PatchVertex& b) {
@@ -187,8 +135,8 @@ Point FeatureMeshBuilder::position(const PatchVertex& v) const {
 
 void FeatureMeshBuilder::add_vertex(Feature feature, const PatchVertex& v,
                                     FeatureMesh& mesh) const {
-  const auto [p, q, mode] = v.on_spine ? kOnSpine : invariants(feature, v);
-  if (!v.on_spine && at_node_[v.number])
+  const auto [p, q, mode] = v.on_spine ? kInvariantsOnTripleCurve : invariants(feature, v);
+  if (!v.on_spine && joined_.at_node[v.number])
     mesh.nodes.push_back(static_cast<std::uint32_t>(mesh.points.size()));
   mesh.points.push_back(position(v));
   mesh.p.push_back(p);
@@ -201,7 +149,7 @@ void FeatureMeshBuilder::add_vertex(Feature feature, const PatchVertex& v,
 
 std::array<double, 3> FeatureMeshBuilder::invariants(Feature feature, const PatchVertex& v) const {
   const Crossing& crossing = crossings_.crossings()[v.number];
-  return on_feature(table_, feature, crossing.p, crossing.q);
+  return invariants_on(table_, feature, crossing.p, crossing.q);
 }
 
 /// The tensors at the corners of the vertex's edge or face, weighted like its position.
@@ -216,7 +164,7 @@ Tensor<double> FeatureMeshBuilder::tensor(const PatchVertex& v) const {
     const SpinePoint& point = spine_points_.points()[v.number];
     for (std::size_t i = 0; i < 3; ++i) add(point.face[i], point.barycentric[i]);
   } else {
-    const auto& ends = crossings_.edges()[edge_of_[v.number]].ends;
+    const auto& ends = crossings_.edges()[joined_.edge_of[v.number]].ends;
     const double t = crossings_.crossings()[v.number].t;
     add(ends[0], 1 - t);
     add(ends[1], t);
@@ -231,7 +179,7 @@ PatchVertex FeatureMeshBuilder::lowest_copy(Feature feature, const PatchVertex& 
   if (v.on_spine) {
     number = spine_points_.find(complex_.copies.lowest(spine_points_.points()[v.number].face));
   } else {
-    const auto ends = complex_.copies.lowest(crossings_.edges()[edge_of_[v.number]].ends);
+    const auto ends = complex_.copies.lowest(crossings_.edges()[joined_.edge_of[v.number]].ends);
     if (const CrossedEdge* edge = crossings_.find(ends[0], ends[1]))
       number = crossings_.crossing_of(*edge, feature);
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cell_patches.hpp"
+#include "joined_crossings.hpp"
 #include "triplex/extract/extraction.hpp"
 
 namespace triplex {
@@ -39,7 +40,6 @@ class FeatureMeshBuilder {
   std::array<double, 3> invariants(Feature feature, const PatchVertex& v) const;
   Tensor<double> tensor(const PatchVertex& v) const;
   PatchVertex lowest_copy(Feature feature, const PatchVertex& v) const;
-  void join_crossings_at_nodes();
 
   const TensorField& input_;
   const RefinedComplex& complex_;
@@ -47,9 +47,7 @@ class FeatureMeshBuilder {
   const EdgeCrossings& crossings_;
   const FaceSpinePoints& spine_points_;
   const bool keep_tensors_;
-  std::vector<std::uint32_t> edge_of_;  // crossing -> its edge
-  std::vector<std::uint32_t> joined_;   // crossing -> the first one at the same node, else itself
-  std::vector<bool> at_node_;           // per crossing
+  const JoinedCrossings joined_;
 };
 
 }  // namespace triplex

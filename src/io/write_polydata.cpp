@@ -42,6 +42,7 @@ struct Polylines {
   std::vector<std::int64_t> source_cell;  // -1: several
   std::vector<std::uint8_t> certified;
   std::vector<std::int64_t> segment_source_cell;
+  std::vector<double> error_bound;  // the largest of the segments'
 
   explicit Polylines(const FeatureMesh& mesh) {
     const auto certified_segments = std::span(mesh.certified).first(mesh.segments.size());
@@ -55,6 +56,12 @@ struct Polylines {
         segment_source_cell.push_back(mesh.source_cell[s]);
       }
       source_cell.push_back(source);
+      if (!mesh.error_bound.empty()) {
+        double largest = 0;
+        for (const std::uint32_t s : chain.segments)
+          largest = std::max(largest, mesh.error_bound[s]);
+        error_bound.push_back(largest);
+      }
       certified.push_back(mesh.certified[chain.segments.front()]);
     }
   }
@@ -68,6 +75,8 @@ void check_arrays(const FeatureMesh& mesh, std::span<const PointValues> extra) {
   if (mesh.p.size() != points || mesh.q.size() != points || mesh.mode.size() != points ||
       (!mesh.position_error.empty() && mesh.position_error.size() != points) ||
       (!mesh.identified.empty() && mesh.identified.size() != points) ||
+      (!mesh.normals.empty() && mesh.normals.size() != points) ||
+      (!mesh.error_bound.empty() && mesh.error_bound.size() != cells) ||
       mesh.source_cell.size() != cells || mesh.certified.size() != cells ||
       std::ranges::any_of(extra, [points](const PointValues& array) {
         return array.values.size() != points * static_cast<std::size_t>(array.components);
@@ -90,6 +99,9 @@ void add_point_arrays(vtkPointData& points, const FeatureMesh& mesh,
   if (!mesh.position_error.empty()) add("PositionError", mesh.position_error);
   if (!mesh.identified.empty())
     points.AddArray(detail::to_vtk_array("PeriodicPoint", identified.data(), identified.size()));
+  if (!mesh.normals.empty())
+    points.SetNormals(detail::to_vtk_array("Normals", mesh.normals.front().data(),
+                                           mesh.normals.size(), 3));
   for (const PointValues& array : extra)
     points.AddArray(detail::to_vtk_array(array.name, array.values.data(), mesh.points.size(),
                                          array.components));
@@ -124,6 +136,11 @@ void write_polydata(const std::filesystem::path& file, const FeatureMesh& mesh, 
   cells.AddArray(detail::to_vtk_array("SourceCellId", source_cell.data(), source_cell.size()));
   cells.AddArray(detail::to_vtk_array("Feature", features.data(), features.size()));
   cells.AddArray(detail::to_vtk_array("Certified", certified.data(), certified.size()));
+  if (!mesh.error_bound.empty()) {
+    std::vector<double>& bound = curve.error_bound;
+    bound.insert(bound.end(), mesh.error_bound.begin() + triangles, mesh.error_bound.end());
+    cells.AddArray(detail::to_vtk_array("ErrorBound", bound.data(), bound.size()));
+  }
   if (!mesh.segments.empty())
     data->GetFieldData()->AddArray(detail::to_vtk_array(
         "SegmentSourceCellId", curve.segment_source_cell.data(), curve.segment_source_cell.size()));

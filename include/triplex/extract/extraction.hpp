@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "triplex/extract/domain_mesh.hpp"
 #include "triplex/extract/identical.hpp"
 #include "triplex/extract/nodes.hpp"
+#include "triplex/extract/patch_complex.hpp"
 #include "triplex/extract/unresolved.hpp"
 #include "triplex/feature/feature_mesh.hpp"
 #include "triplex/feature/feature_table.hpp"
@@ -65,6 +67,8 @@ struct ExtractionOptions {
   PeriodicAxes periodic{};
   /// Fill `FeatureMesh::tensors`.
   bool keep_tensors = false;
+  /// Fill `Extraction::patches`.
+  bool keep_patches = false;
   /// Fill `Extraction::domains`. All pages of the table and the curve are certified then.
   bool domains = false;
   /// Bisections that one tet of the input may ask for before it is reported as unresolved. Nothing:
@@ -88,6 +92,8 @@ struct Extraction {
   bool curves_shifted = false;
   std::vector<FeatureMesh> features;  ///< one per row of the table; empty where not asked for
   const FeatureMesh& mesh(Feature f) const { return features[index(f)]; }
+  /// What the surfaces' triangles were made of. Null unless `ExtractionOptions::keep_patches`.
+  std::shared_ptr<const PatchComplex> patches;
   /// The domain cut by all pages of the table. Empty unless `ExtractionOptions::domains`.
   DomainMesh domains;
   /// The nodes on the degenerate surfaces asked for, by position, and the tets of the input where

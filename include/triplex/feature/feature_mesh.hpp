@@ -32,11 +32,18 @@ struct FeatureMesh {
   /// The point that this one is a periodic copy of (itself, if of none). Empty unless
   /// `ExtractionOptions::periodic`.
   std::vector<std::uint32_t> identified;
+  /// Unit vectors along the gradient of the function that vanishes on the surface, turned like the
+  /// triangles; the mean of both sides where two tets meet, zero where the gradient is. Empty unless
+  /// the mesh was made by `mesh_patches`.
+  std::vector<Point> normals;
   /// The points that are nodes, ascending: there the surface is a double cone.
   std::vector<std::uint32_t> nodes;
   // per cell
   std::vector<std::int64_t> source_cell;  ///< cell id in the input file
   std::vector<std::uint8_t> certified;    ///< 1 where the topology is proven
+  /// A proven bound on the distances between the cell's patch and the surface in its tet, both ways;
+  /// infinite where nothing is proven. Empty unless the mesh was made by `mesh_patches`.
+  std::vector<double> error_bound;
 };
 
 }  // namespace triplex

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "chart.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace triplex {
+namespace {
+
+std::array<Tensor<double>, 4> corner_tensors(const CellMap& cell) {
+  std::array<Tensor<double>, 4> tensors;
+  for (std::size_t i = 0; i < 4; ++i) {
+    Weights w{};
+    w[i] = 1;
+    tensors[i] = cell.tensor(w);
+  }
+  return tensors;
+}
+
+}  // namespace
+
+std::optional<Vector> gradient_at(const CellMap& cell, const SurfaceFunction& f, const Weights& w) {
+  const Tensor<double> a = cell.tensor(w);
+  Vector along_edges;
+  for (std::size_t i = 1; i < 4; ++i)
+    along_edges[static_cast<Eigen::Index>(i - 1)] =
+        f.derivative(a, cell.tensor(cell.edge_direction(i)));
+  return cell.gradient(along_edges);
+}
+
+/// The direction is made as long as the weights allow, so that the errors of its tensor are those
+/// of any other; its length is then computed anew from the weights.
+Bounds growth_along(const CellMap& cell, const SurfaceFunction& f,
+                    std::span<const Tensor<double>> hull, const Weights& direction) {
+  const double sum = CellMap::total(direction);
+  if (!(sum > 0) || !std::isfinite(1 / sum)) return {-1, 1};
+  const Weights w = (CellMap::kMostWeight / sum * (1 - 0x1p-40)) * direction;
+  const double length = cell.offset(w).norm();
+  const double error = 2 * cell.position_error();  // of both ends
+  if (!(length > 0x1p20 * error)) return {-HUGE_VAL, HUGE_VAL};
+  Bounds growth = f.derivative_on(hull, cell.tensor(w), cell.bounds());
+  const double longest = length * (1 + 0x1p-19), shortest = length * (1 - 0x1p-19);
+  growth.low /= growth.low > 0 ? longest : shortest;
+  growth.high /= growth.high > 0 ? shortest : longest;
+  return growth;
+}
+
+std::optional<Chart> chart_along(const CellMap& cell, const SurfaceFunction& f,
+                                 const Vector& direction) {
+  const double length = direction.norm();
+  if (!(length > 0) || !std::isfinite(1 / length)) return std::nullopt;
+  Chart chart;
+  chart.origin = cell.corner(0);
+  chart.up = direction / length;
+  const auto up = cell.direction(chart.up);
+  if (!up) return std::nullopt;
+  const auto hull = corner_tensors(cell);
+  const Bounds growth = growth_along(cell, f, hull, *up);
+  if (!(growth.low > 0 || growth.high < 0)) return std::nullopt;
+  chart.up_weights = *up;
+  if (growth.low <= 0) {
+    chart.up = -chart.up;
+    chart.up_weights = -1.0 * chart.up_weights;
+  }
+  chart.rise = std::min(std::fabs(growth.low), std::fabs(growth.high)) * (1 - 0x1p-18);
+
+  chart.across1 = chart.up.unitOrthogonal();
+  chart.across2 = chart.up.cross(chart.across1);
+  double square = growth.largest() * growth.largest();
+  for (const Vector& across : {chart.across1, chart.across2}) {
+    const auto w = cell.direction(across);
+    if (!w) return std::nullopt;
+    const double most = growth_along(cell, f, hull, *w).largest();
+    square += most * most;
+  }
+  // Directions are orthonormal to 2^-50 and their weights right to 2^-24.
+  chart.steepest = std::sqrt(square) * (1 + 0x1p-18);
+  return std::isfinite(chart.steepest) ? std::optional(chart) : std::nullopt;
+}
+
+std::optional<Weights> move_to_surface(const CellMap& cell, const SurfaceFunction& f, Weights from,
+                                       const Weights& direction, double reach) {
+  constexpr int kSteps = 40;
+  const Tensor<double> along = cell.tensor(direction);
+  double moved = 0, last = HUGE_VAL;
+  for (int n = 0; n < kSteps; ++n) {
+    const Weights at = from + moved * direction;
+    const Tensor<double> a = cell.tensor(at);
+    const double slope = f.derivative(a, along);
+    if (!(slope > 0)) return std::nullopt;
+    const double step = f.value(a) / slope;
+    if (!(std::fabs(moved - step) <= reach)) return std::nullopt;
+    moved -= step;
+    // Near the root steps shrink to rounding and then stop shrinking.
+    if (step == 0 || (std::fabs(step) >= last && std::fabs(step) < 1e-10 * reach)) break;
+    last = std::fabs(step);
+  }
+  return from + moved * direction;
+}
+
+}  // namespace triplex

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triplex/meshing/mesh_patches.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "assemble_meshes.hpp"
+#include "meshed_patches.hpp"
+#include "triplex/arithmetic/fp_environment.hpp"
+
+namespace triplex {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+double longest_edge(const TensorField& input, TetId tet) {
+  const auto& v = input.mesh.tets[index(tet)];
+  double longest = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      const Point &a = input.mesh.points[index(v[i])], &b = input.mesh.points[index(v[j])];
+      longest = std::max(longest, std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]));
+    }
+  return longest;
+}
+
+/// Half of a patch's tolerance is for its boundary, by whose deviation d and value v it is off by
+/// d + v / rise (`PatchMesher::at_boundary`). Of arcs of the curve, v is at most d times the
+/// steepest. A patch that its cell keeps near enough asks for nothing.
+struct ArcShares {
+  ArcTarget of_surface, of_curve;
+};
+ArcShares shares_of(double tolerance, const std::optional<Chart>& chart, double cell_size) {
+  if (cell_size <= tolerance) return {};
+  const double quarter = tolerance / 4;
+  if (!chart) return {{quarter}, {quarter}};
+  return {{quarter, quarter * chart->rise},
+          {tolerance / (2 * (1 + chart->steepest / chart->rise))}};
+}
+
+class Mesher {
+ public:
+  Mesher(const TensorField& input, const PatchComplex& complex, const MeshingOptions& options)
+      : input_(input),
+        complex_(complex),
+        options_(options),
+        functions_(surface_functions(complex.table, complex.field->scale_exponent())) {}
+
+  MeshedPatches run() {
+    report("tolerances");
+    const std::vector<ArcTarget> targets = arc_targets();
+    report("arcs");
+    const MeshedArcs arcs(complex_, functions_, targets);
+    report("patches");
+    std::vector<MeshedPatch> patches(complex_.patches.size());
+    // In slices, so that an interrupt is seen.
+    for (std::size_t start = 0; start < patches.size(); start += kSlice) {
+      const std::size_t end = std::min(start + kSlice, patches.size());
+      tbb::parallel_for(start, end, [&](std::size_t n) {
+        const Patch& patch = complex_.patches[n];
+        patches[n] = mesh_patch(complex_, arcs, patch, functions_[index(patch.feature)],
+                                tolerance_of(patch), options_.keep_tensors);
+      });
+      report("patches", static_cast<double>(end) / static_cast<double>(patches.size()));
+    }
+    report("join");
+    return {assemble_meshes(complex_, arcs, patches), accuracy_of(arcs, patches)};
+  }
+
+ private:
+  static constexpr std::size_t kSlice = 1u << 15;
+
+  void report(std::string_view step, double done = 0) const {
+    if (options_.interrupted && options_.interrupted->load()) throw Interrupted{};
+    if (options_.progress) options_.progress(step, done);
+  }
+
+  double tolerance_of(const Patch& patch) const {
+    return options_.tolerance ? options_.tolerance->at(longest_edge(input_, patch.input))
+                              : kInfinite;
+  }
+
+  /// What every arc has to satisfy: all that the patches that it bounds ask for.
+  std::vector<ArcTarget> arc_targets() const {
+    std::vector<ArcShares> shares(complex_.patches.size());
+    tbb::parallel_for(std::size_t{0}, shares.size(), [&](std::size_t n) {
+      const Patch& patch = complex_.patches[n];
+      const SurfaceFunction& f = functions_[index(patch.feature)];
+      const CellMap cell(*complex_.field, patch.cell, f.takes_trace());
+      shares[n] = shares_of(tolerance_of(patch), chart_of(complex_, patch, cell, f), cell.size());
+    });
+    std::vector<ArcTarget> targets(complex_.arcs.size());
+    for (std::size_t n = 0; n < shares.size(); ++n)
+      for (const ArcUse& use : complex_.boundary(complex_.patches[n]))
+        targets[use.arc].include(complex_.arcs[use.arc].vertices == 3 ? shares[n].of_surface
+                                                                      : shares[n].of_curve);
+    return targets;
+  }
+
+  MeshAccuracy accuracy_of(const MeshedArcs& arcs, const std::vector<MeshedPatch>& patches) const {
+    MeshAccuracy accuracy;
+    const auto add_vertices = [&](double error, std::uint64_t count) {
+      if (count == 0) return;
+      if (error < kInfinite)
+        accuracy.largest_vertex_error = std::max(accuracy.largest_vertex_error, error);
+      else
+        accuracy.unproven_vertices += count;
+    };
+    for (std::size_t n = 0; n < patches.size(); ++n) {
+      const MeshedPatch& patch = patches[n];
+      ++accuracy.patches;
+      ++(patch.error <= tolerance_of(complex_.patches[n]) && patch.error < kInfinite
+             ? accuracy.within
+         : patch.error < kInfinite ? accuracy.beyond
+                                   : accuracy.unproven);
+      if (patch.error < kInfinite)
+        accuracy.largest_error = std::max(accuracy.largest_error, patch.error);
+      add_vertices(patch.error < kInfinite ? patch.vertex_error : kInfinite, patch.inside.size());
+    }
+    for (std::uint32_t n = 0; n < complex_.corners.size(); ++n)
+      add_vertices(arcs.corner_error(n), 1);
+    for (std::uint32_t n = 0; n < complex_.arcs.size(); ++n)
+      add_vertices(arcs.deviation(n) < kInfinite ? arcs.point_error(n) : kInfinite, arcs.count(n));
+    return accuracy;
+  }
+
+  const TensorField& input_;
+  const PatchComplex& complex_;
+  const MeshingOptions& options_;
+  const std::vector<SurfaceFunction> functions_;
+};
+
+}  // namespace
+
+MeshedPatches mesh_patches(const TensorField& input, const PatchComplex& complex,
+                           const MeshingOptions& options) {
+  return with_fp_environment([&] {
+    tbb::task_arena arena(options.threads > 0 ? static_cast<int>(options.threads)
+                                              : tbb::task_arena::automatic);
+    arena.initialize();
+    return arena.execute([&] { return Mesher(input, complex, options).run(); });
+  });
+}
+
+}  // namespace triplex

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshed_patches.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace triplex {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+Weights weights_of(const PatchComplex& complex, const MeshedArcs& arcs, const PatchArc& arc,
+                   const OutlineVertex& v, const std::array<VertexId, 4>& cell) {
+  if (v.on_arc)
+    return in_cell(std::span(arcs.weights(v.number)).first(arc.vertices),
+                   std::span(arc.carrier).first(arc.vertices), cell);
+  const PatchCorner& corner = complex.corners[v.number];
+  return in_cell(std::span(corner.weights).first(corner.vertices),
+                 std::span(corner.carrier).first(corner.vertices), cell);
+}
+
+std::uint32_t start_of(const PatchArc& arc, const ArcUse& use) {
+  return arc.ends[use.reversed ? 1 : 0];
+}
+
+struct Outline {
+  std::vector<OutlineVertex> vertices;
+  std::vector<Weights> weights;
+  double deviation = 0, value = 0;
+};
+
+Outline outline_of(const PatchComplex& complex, const MeshedArcs& arcs, const Patch& patch,
+                   const std::optional<Chart>& chart) {
+  Outline outline;
+  const auto add = [&](const PatchArc& arc, const OutlineVertex& v) {
+    outline.vertices.push_back(v);
+    outline.weights.push_back(weights_of(complex, arcs, arc, v, patch.cell));
+  };
+  for (const ArcUse& use : complex.boundary(patch)) {
+    const PatchArc& arc = complex.arcs[use.arc];
+    add(arc, {start_of(arc, use), false});
+    const std::uint32_t first = arcs.first(use.arc), count = arcs.count(use.arc);
+    for (std::uint32_t n = 0; n < count; ++n)
+      add(arc, {first + (use.reversed ? count - 1 - n : n), true});
+    const double deviation = arcs.deviation(use.arc);
+    outline.deviation = std::max(outline.deviation, deviation);
+    // Of an arc of the curve it is known only how far it is.
+    outline.value = std::max(outline.value, arc.vertices == 3 ? arcs.value(use.arc)
+                                            : chart           ? deviation * chart->steepest
+                                                              : kInfinite);
+  }
+  return outline;
+}
+
+/// p and q of the deviator, from the tripled one scaled by 2^scale: P = 18 p, Q = 162 q.
+std::array<double, 2> invariants_of(const Tensor<double>& a, int scale) {
+  const double P = minus_trace_of_product(a, a);
+  const double Q = double_dot(mixed_cofactor(a, a), a);
+  return {std::ldexp(P / 18, -2 * scale), std::ldexp(Q / 162, -3 * scale)};
+}
+
+/// Fills in what the patch says of its vertices.
+void evaluate(const PatchComplex& complex, const CellMap& cell, const SurfaceFunction& f,
+              std::span<const Weights> vertices, bool keep_tensors, MeshedPatch& mesh) {
+  const RefinableField& field = *complex.field;
+  const int scale = field.scale_exponent();
+  std::optional<CellMap> deviators, full;
+  if (f.takes_trace()) deviators.emplace(field, cell.vertices(), false);
+  if (keep_tensors && !f.takes_trace()) full.emplace(field, cell.vertices(), true);
+  for (const Weights& w : vertices) {
+    VertexValues values;
+    Vector normal = f.orientation() * gradient_at(cell, f, w).value_or(Vector::Zero());
+    const double length = normal.norm();
+    values.normal = length > 0 && std::isfinite(length) ? Vector(normal / length) : Vector::Zero();
+    const auto [p, q] = invariants_of((deviators ? *deviators : cell).tensor(w), scale);
+    values.p = p, values.q = q;
+    mesh.values.push_back(values);
+    if (!keep_tensors) continue;
+    Tensor<double> t = (full ? *full : cell).tensor(w);
+    for (double& x : t) x = std::ldexp(x, -scale);
+    mesh.tensors.push_back(t);
+  }
+}
+
+}  // namespace
+
+std::optional<Chart> chart_of(const PatchComplex& complex, const Patch& patch, const CellMap& cell,
+                              const SurfaceFunction& f) {
+  Vector mean = Vector::Zero(), area = Vector::Zero();
+  std::vector<Vector> corners;
+  for (const ArcUse& use : complex.boundary(patch)) {
+    const PatchCorner& corner = complex.corners[start_of(complex.arcs[use.arc], use)];
+    const Weights w = in_cell(std::span(corner.weights).first(corner.vertices),
+                              std::span(corner.carrier).first(corner.vertices), patch.cell);
+    corners.push_back(cell.position(w) - cell.corner(0));
+    if (const auto gradient = gradient_at(cell, f, w)) mean += *gradient;
+  }
+  if (const auto chart = chart_along(cell, f, mean)) return chart;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    area += corners[i].cross(corners[(i + 1) % corners.size()]);
+  return chart_along(cell, f, area);
+}
+
+MeshedPatch mesh_patch(const PatchComplex& complex, const MeshedArcs& arcs, const Patch& patch,
+                       const SurfaceFunction& f, double tolerance, bool keep_tensors) {
+  const CellMap cell(*complex.field, patch.cell, f.takes_trace());
+  const auto chart = chart_of(complex, patch, cell, f);
+  Outline outline = outline_of(complex, arcs, patch, chart);
+  PatchTriangles result =
+      triangulate_patch({cell, f, chart, outline.weights, outline.deviation, outline.value},
+                        cell.size() <= tolerance ? kInfinite : tolerance);
+
+  MeshedPatch mesh;
+  mesh.error = patch.certified ? result.error : kInfinite;
+  // Patch and polygon both lie in the cell, and neither is empty.
+  if (patch.certified && result.inside.empty() && !(mesh.error < cell.size()))
+    mesh.error = cell.size();
+  mesh.error += 2 * cell.position_error();
+  mesh.vertex_error = result.vertex_error + cell.position_error();
+  mesh.outline = std::move(outline.vertices);
+  mesh.triangles = std::move(result.triangles);
+  for (const Weights& w : result.inside) {
+    const Vector x = cell.position(w);
+    mesh.inside.push_back({x[0], x[1], x[2]});
+  }
+  evaluate(complex, cell, f, outline.weights, keep_tensors, mesh);
+  evaluate(complex, cell, f, result.inside, keep_tensors, mesh);
+  return mesh;
+}
+
+}  // namespace triplex
