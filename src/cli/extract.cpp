@@ -27,6 +27,7 @@
 #include "triplex/io/write_mesh.hpp"
 #include "triplex/io/write_nodes.hpp"
 #include "triplex/meshing/mesh_patches.hpp"
+#include "triplex/meshing/wish_for_charts.hpp"
 #include "triplex/tensor/point_arrays.hpp"
 
 namespace triplex::cli {
@@ -74,7 +75,10 @@ Extraction extract_with_progress(const TensorField& field, const ExtractRequest&
   options.table = requested.table;
   options.features = requested.set;
   options.keep_tensors = !request.arrays.empty();
-  options.keep_patches = !request.tolerance.empty();
+  if (const auto tolerance = parse_tolerance(request.tolerance)) {
+    options.keep_patches = true;
+    options.wish = wish_for_charts(field, options.table, *tolerance);
+  }
   options.domains = request.domains;
   options.periodic = parse_axes(request.periodic);
   options.max_bisections = request.effort.max_bisections;

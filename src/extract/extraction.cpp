@@ -165,6 +165,7 @@ RefineOptions refine_options(const ExtractionOptions& options, FeatureSet certif
   r.periodic = options.periodic;
   r.max_bisections = budget_of(options, field);
   r.max_tets = kGrowth * field.mesh.tets.size() + kRoom;
+  r.wish = options.wish;
   r.interrupted = options.interrupted;
   if (options.progress) r.progress = [&](double done) { options.progress("certify", done); };
   return r;

@@ -5,9 +5,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-namespace triplex {
-namespace {
+#include "triplex/certify/witness.hpp"
 
+namespace triplex {
 std::array<Tensor<double>, 4> corner_tensors(const CellMap& cell) {
   std::array<Tensor<double>, 4> tensors;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -17,8 +17,6 @@ std::array<Tensor<double>, 4> corner_tensors(const CellMap& cell) {
   }
   return tensors;
 }
-
-}  // namespace
 
 std::optional<Vector> gradient_at(const CellMap& cell, const SurfaceFunction& f, const Weights& w) {
   const Tensor<double> a = cell.tensor(w);
@@ -77,6 +75,25 @@ std::optional<Chart> chart_along(const CellMap& cell, const SurfaceFunction& f,
   // Directions are orthonormal to 2^-50 and their weights right to 2^-24.
   chart.steepest = std::sqrt(square) * (1 + 0x1p-18);
   return std::isfinite(chart.steepest) ? std::optional(chart) : std::nullopt;
+}
+
+Vector steepest_at_worst(const CellMap& cell, const SurfaceFunction& f,
+                         std::span<const Tensor<double>> hull, std::span<const Vector> directions) {
+  std::vector<Tensor<double>> tensors;
+  for (const Vector& d : directions) {
+    const auto w = cell.direction(d);
+    if (!w) return Vector::Zero();
+    tensors.push_back(cell.tensor(*w));
+  }
+  const auto weights = separating_direction(f.derivatives_approx(hull, tensors));
+  Vector sum = Vector::Zero();
+  for (std::size_t k = 0; k < directions.size(); ++k) sum += weights[k] * directions[k];
+  return sum;
+}
+
+std::optional<Chart> best_chart(const CellMap& cell, const SurfaceFunction& f) {
+  const std::array<Vector, 3> axes = {Vector::UnitX(), Vector::UnitY(), Vector::UnitZ()};
+  return chart_along(cell, f, steepest_at_worst(cell, f, corner_tensors(cell), axes));
 }
 
 std::optional<Weights> move_to_surface(const CellMap& cell, const SurfaceFunction& f, Weights from,

@@ -25,9 +25,19 @@ struct Chart {
   }
 };
 
+std::array<Tensor<double>, 4> corner_tensors(const CellMap& cell);
+
 /// The chart along a direction, if f grows along it or against it; `up` is where f grows.
 std::optional<Chart> chart_along(const CellMap& cell, const SurfaceFunction& f,
                                  const Vector& direction);
+
+/// The chart along the direction in which f grows most at worst, if it grows along any.
+std::optional<Chart> best_chart(const CellMap& cell, const SurfaceFunction& f);
+
+/// Among some orthonormal directions of space the combination along which f grows most at worst on
+/// the hull of some tensors, as far as doubles can tell; zero if there is none.
+Vector steepest_at_worst(const CellMap& cell, const SurfaceFunction& f,
+                         std::span<const Tensor<double>> hull, std::span<const Vector> directions);
 
 /// The gradient of f at a point of the cell, in doubles; nothing in a flat cell.
 std::optional<Vector> gradient_at(const CellMap& cell, const SurfaceFunction& f, const Weights& w);

@@ -17,17 +17,6 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-double longest_edge(const TensorField& input, TetId tet) {
-  const auto& v = input.mesh.tets[index(tet)];
-  double longest = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = i + 1; j < 4; ++j) {
-      const Point &a = input.mesh.points[index(v[i])], &b = input.mesh.points[index(v[j])];
-      longest = std::max(longest, std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]));
-    }
-  return longest;
-}
-
 /// Half of a patch's tolerance is for its boundary, by whose deviation d and value v it is off by
 /// d + v / rise (`PatchMesher::at_boundary`). Of arcs of the curve, v is at most d times the
 /// steepest. A patch that its cell keeps near enough asks for nothing.
@@ -80,7 +69,7 @@ class Mesher {
   }
 
   double tolerance_of(const Patch& patch) const {
-    return options_.tolerance ? options_.tolerance->at(longest_edge(input_, patch.input))
+    return options_.tolerance ? options_.tolerance->at(longest_edge_approx(input_, patch.input))
                               : kInfinite;
   }
 

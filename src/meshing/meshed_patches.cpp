@@ -10,6 +10,9 @@ namespace triplex {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
+/// Beyond this part of the steepest growth a better direction is not looked for: at most twice as
+/// many points would be saved.
+constexpr double kGoodRise = 0.5;
 
 Weights weights_of(const PatchComplex& complex, const MeshedArcs& arcs, const PatchArc& arc,
                    const OutlineVertex& v, const std::array<VertexId, 4>& cell) {
@@ -88,19 +91,16 @@ void evaluate(const PatchComplex& complex, const CellMap& cell, const SurfaceFun
 
 std::optional<Chart> chart_of(const PatchComplex& complex, const Patch& patch, const CellMap& cell,
                               const SurfaceFunction& f) {
-  Vector mean = Vector::Zero(), area = Vector::Zero();
-  std::vector<Vector> corners;
+  Vector mean = Vector::Zero();
   for (const ArcUse& use : complex.boundary(patch)) {
     const PatchCorner& corner = complex.corners[start_of(complex.arcs[use.arc], use)];
     const Weights w = in_cell(std::span(corner.weights).first(corner.vertices),
                               std::span(corner.carrier).first(corner.vertices), patch.cell);
-    corners.push_back(cell.position(w) - cell.corner(0));
     if (const auto gradient = gradient_at(cell, f, w)) mean += *gradient;
   }
-  if (const auto chart = chart_along(cell, f, mean)) return chart;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    area += corners[i].cross(corners[(i + 1) % corners.size()]);
-  return chart_along(cell, f, area);
+  if (auto chart = chart_along(cell, f, mean); chart && chart->rise > kGoodRise * chart->steepest)
+    return chart;
+  return best_chart(cell, f);
 }
 
 MeshedPatch mesh_patch(const PatchComplex& complex, const MeshedArcs& arcs, const Patch& patch,

@@ -32,7 +32,7 @@ struct MeshedPatch {
   double vertex_error = 0;              ///< of the vertices inside
 };
 
-/// The chart of a patch: across the mean gradient at its corners, else across its vector area.
+/// The chart of a patch: across the mean gradient at its corners, else the best one.
 std::optional<Chart> chart_of(const PatchComplex& complex, const Patch& patch, const CellMap& cell,
                               const SurfaceFunction& f);
 

@@ -51,6 +51,13 @@ SampledArc sample_face_arc(const CellMap& cell, const SurfaceFunction& f, std::s
 /// hold this arc alone. Source: proofs/mesh_accuracy.md.
 SampledArc sample_spine_arc(const CellMap& cell, const ArcEnds& ends, double target);
 
+/// Whether `sample_face_arc` can bound the deviation of an arc on this face; of an arc whose chord
+/// it can use, it may even if not.
+bool has_face_chart(const CellMap& cell, const SurfaceFunction& f, std::size_t lacking);
+/// Whether there are planes in each of which (P, Q) is one-to-one on the cell, so that
+/// `sample_spine_arc` needs no cut for the sake of a proof.
+bool has_spine_slices(const CellMap& cell);
+
 /// A bound on the distance of a point on an edge of the cell from the surface's only point there,
 /// from the value of f; infinite if f does not grow along the edge.
 double error_on_edge(const CellMap& cell, const SurfaceFunction& f, const Weights& point);

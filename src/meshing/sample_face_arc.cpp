@@ -19,7 +19,7 @@ struct FaceChart {
   double rise = 0, stretch = 1;  // see Chart
 };
 
-std::array<Tensor<double>, 3> corner_tensors(const CellMap& cell, std::size_t lacking) {
+std::array<Tensor<double>, 3> face_tensors(const CellMap& cell, std::size_t lacking) {
   std::array<Tensor<double>, 3> tensors;
   for (std::size_t i = 0, k = 0; i < 4; ++i) {
     if (i == lacking) continue;
@@ -33,7 +33,7 @@ std::array<Tensor<double>, 3> corner_tensors(const CellMap& cell, std::size_t la
 class FaceArc {
  public:
   FaceArc(const CellMap& cell, const SurfaceFunction& f, std::size_t lacking)
-      : cell_(cell), f_(f), lacking_(lacking), corners_(corner_tensors(cell, lacking)) {
+      : cell_(cell), f_(f), lacking_(lacking), corners_(face_tensors(cell, lacking)) {
     const auto corner = [&](std::size_t i) { return cell.corner((lacking + i) % 4); };
     normal_ = (corner(2) - corner(1)).cross(corner(3) - corner(1)).normalized();
   }
@@ -55,15 +55,17 @@ class FaceArc {
     return std::isfinite(slope) ? std::optional(chart) : std::nullopt;
   }
 
-  /// Across the chord, else along the gradient: whichever is proven.
+  std::optional<FaceChart> best_chart() const {
+    const Vector along =
+        (cell_.corner((lacking_ + 2) % 4) - cell_.corner((lacking_ + 1) % 4)).normalized();
+    return chart_along(
+        steepest_at_worst(cell_, f_, corners_, std::array{along, Vector(normal_.cross(along))}));
+  }
+  /// Across the chord, else the best one.
   std::optional<FaceChart> chart(const ArcEnds& ends) const {
     const Vector chord = cell_.position(ends.second) - cell_.position(ends.first);
     if (const auto found = chart_along(normal_.cross(chord))) return found;
-    const auto first = gradient_at(cell_, f_, ends.first);
-    const auto second = gradient_at(cell_, f_, ends.second);
-    if (!first || !second) return std::nullopt;
-    const Vector mean = *first + *second;
-    return chart_along(mean - normal_.dot(mean) * normal_);
+    return best_chart();
   }
 
   /// Of f between a segment and the arc, where f runs from what it is on the segment to zero.
@@ -138,6 +140,10 @@ double error_on_edge(const CellMap& cell, const SurfaceFunction& f, const Weight
   const double rise = std::max(growth.low, -growth.high);
   if (!(rise > 0)) return kInfinite;
   return f.largest_value<1>({cell.tensor(point)}, cell.bounds()) / rise * (1 + 0x1p-18);
+}
+
+bool has_face_chart(const CellMap& cell, const SurfaceFunction& f, std::size_t lacking) {
+  return FaceArc(cell, f, lacking).best_chart().has_value();
 }
 
 SampledArc sample_face_arc(const CellMap& cell, const SurfaceFunction& f, std::size_t lacking,

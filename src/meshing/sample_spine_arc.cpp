@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "chart.hpp"
 #include "sample_arc.hpp"
 #include "triplex/bernstein/forms.hpp"
 
@@ -33,7 +34,9 @@ Matrix jacobian(const Tensor<double>& a, const std::array<Tensor<double>, 2>& al
   return j;
 }
 
-/// The planes across the chord of the whole arc, in which the curve is followed: spanned by two
+constexpr Weights kCentroid = {0.25, 0.25, 0.25, 0.25};
+
+/// Parallel planes in which the curve is followed, the same for the whole arc: spanned by two
 /// directions of unit length.
 struct Slices {
   std::array<Weights, 2> across;
@@ -42,10 +45,16 @@ struct Slices {
 
 class SpineArc {
  public:
-  SpineArc(const CellMap& cell, const ArcEnds& ends)
-      : cell_(cell), error_(ends.error), slices_(slices(ends.first, ends.second)) {}
+  /// With slices across a direction.
+  SpineArc(const CellMap& cell, const Vector& direction, double error)
+      : cell_(cell), error_(error), slices_(slices(direction)) {}
 
   bool has_slices() const { return slices_.has_value(); }
+  /// (P, Q) is one-to-one on every slice of the cell.
+  bool is_injective() const {
+    const Matrix c = jacobian(cell_.tensor(kCentroid), slices_->tensors).inverse();
+    return c.allFinite() && largest_defect(c, corner_tensors(cell_)) <= 0.5;
+  }
 
   /// Appends the points between a and b. False: the target cannot be reached.
   bool add_between(const Weights& a, const Weights& b, double target, SampledArc& arc) {
@@ -86,11 +95,9 @@ class SpineArc {
   }
 
  private:
-  std::optional<Slices> slices(const Weights& a, const Weights& b) const {
-    const Vector chord = cell_.offset(b) - cell_.offset(a);
-    const double length = chord.norm();
-    if (!(length > 0)) return std::nullopt;
-    const Vector tangent = chord / length;
+  std::optional<Slices> slices(const Vector& direction) const {
+    const Vector tangent = direction.normalized();
+    if (!tangent.allFinite()) return std::nullopt;
     const Vector first = tangent.unitOrthogonal();
     const auto u = cell_.direction(first), v = cell_.direction(tangent.cross(first));
     if (!u || !v) return std::nullopt;
@@ -112,7 +119,7 @@ class SpineArc {
     const Matrix c = at_middle.inverse();
     if (!c.allFinite()) return std::nullopt;
     const double residual = largest_residual(c, {cell_.tensor(a), cell_.tensor(b)});
-    const double k = largest_defect(c, a, b, std::max(2 * residual, 4 * error_));
+    const double k = defect_around(c, a, b, std::max(2 * residual, 4 * error_));
     if (!(k <= 0.5)) return std::nullopt;
     return std::sqrt(2.0) * residual / (1 - k) * kSlack;
   }
@@ -138,14 +145,19 @@ class SpineArc {
     return largest * kSlack;
   }
 
-  /// The largest row sum of |I - C J| over the prism around the segment; derivatives of P are
-  /// linear and those of Q have the polar forms between its eight corners as bounds.
-  double largest_defect(const Matrix& c, const Weights& a, const Weights& b, double radius) const {
+  /// On the prism that squares of this half-width around the segment's points sweep.
+  double defect_around(const Matrix& c, const Weights& a, const Weights& b, double radius) const {
     std::array<Tensor<double>, 8> corners;
     std::size_t n = 0;
     for (const Weights& end : {a, b})
       for (const double x : {-radius, radius})
         for (const double y : {-radius, radius}) corners[n++] = cell_.tensor(at(end, {x, y}));
+    return largest_defect(c, corners);
+  }
+
+  /// The largest row sum of |I - C J| on the hull of some tensors: derivatives of P are linear, and
+  /// those of Q have the polar forms between the tensors as bounds.
+  double largest_defect(const Matrix& c, std::span<const Tensor<double>> corners) const {
     // Directions have unit length, not weights of at most two: their tensors' errors grow as they
     // do.
     double longest = 1;
@@ -157,8 +169,8 @@ class SpineArc {
     for (int k = 0; k < 2; ++k) {
       const Tensor<double>& d = slices_->tensors[static_cast<std::size_t>(k)];
       std::array<double, 2> worst{};
-      for (std::size_t i = 0; i < 8; ++i)
-        for (std::size_t j = i; j < 8; ++j) {
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        for (std::size_t j = i; j < corners.size(); ++j) {
           const double dp =
               minus_trace_of_product(corners[i], d) + minus_trace_of_product(corners[j], d);
           const double dq = 3 * double_dot(mixed_cofactor(corners[i], corners[j]), d);
@@ -187,12 +199,25 @@ bool is_inside(const CellMap& cell, const Weights& w, double distance) {
   return *std::ranges::min_element(w) * cell.least_height() > distance;
 }
 
-}  // namespace
+/// Along the curve through the centroid, as if it passed there.
+Vector tangent_at_centroid(const CellMap& cell) {
+  std::array<Vector, 2> gradients;
+  const Tensor<double> a = cell.tensor(kCentroid);
+  const Tensor<double> cofactor = mixed_cofactor(a, a);
+  for (std::size_t i = 1; i < 4; ++i) {
+    const Tensor<double> along = cell.tensor(cell.edge_direction(i));
+    const auto k = static_cast<Eigen::Index>(i - 1);
+    gradients[0][k] = minus_trace_of_product(a, along);
+    gradients[1][k] = double_dot(cofactor, along);
+  }
+  const auto p = cell.gradient(gradients[0]), q = cell.gradient(gradients[1]);
+  return p && q ? p->normalized().cross(q->normalized()) : Vector::Zero();
+}
 
-SampledArc sample_spine_arc(const CellMap& cell, const ArcEnds& ends, double target) {
+SampledArc sample_across(const CellMap& cell, const Vector& direction, const ArcEnds& ends,
+                         double target) {
   SampledArc arc;
-  if (!(ends.error < target / 4)) return arc;
-  SpineArc spine(cell, ends);
+  SpineArc spine(cell, direction, ends.error);
   if (!spine.has_slices()) return arc;
   // A point inside the cell says that this is the way on which the curve runs there.
   const auto middle = spine.move_to_curve(between(ends.first, ends.second, 0.5));
@@ -205,6 +230,21 @@ SampledArc sample_spine_arc(const CellMap& cell, const ArcEnds& ends, double tar
   for (const Weights& w : arc.between)
     arc.point_error = std::max(arc.point_error, spine.error_at(w));
   return arc;
+}
+
+}  // namespace
+
+bool has_spine_slices(const CellMap& cell) {
+  const SpineArc spine(cell, tangent_at_centroid(cell), 0);
+  return spine.has_slices() && spine.is_injective();
+}
+
+SampledArc sample_spine_arc(const CellMap& cell, const ArcEnds& ends, double target) {
+  if (!(ends.error < target / 8)) return {};
+  const Vector chord = cell.offset(ends.second) - cell.offset(ends.first);
+  if (SampledArc arc = sample_across(cell, chord, ends, target); arc.deviation <= target)
+    return arc;
+  return sample_across(cell, tangent_at_centroid(cell), ends, target);
 }
 
 }  // namespace triplex

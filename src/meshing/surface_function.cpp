@@ -224,6 +224,40 @@ Bounds SurfaceFunction::curved_derivative_on(std::span<const Tensor<double>> hul
                        kSlack);
 }
 
+std::vector<std::array<double, 3>> SurfaceFunction::derivatives_approx(
+    std::span<const Tensor<double>> hull, std::span<const Tensor<double>> directions) const {
+  std::vector<std::array<double, 3>> vectors;
+  const auto add = [&](const auto& derivative) {
+    std::array<double, 3> v{};
+    for (std::size_t k = 0; k < directions.size(); ++k) v[k] = derivative(directions[k]);
+    vectors.push_back(v);
+  };
+  if (kind_ != Kind::Neutral && kind_ != Kind::Curved) {  // linear
+    for (const Tensor<double>& a : hull)
+      add([&](const Tensor<double>& along) { return derivative(a, along); });
+    return vectors;
+  }
+  Hull range_of_p;
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    for (std::size_t j = i; j < hull.size(); ++j)
+      range_of_p.add(p_factor_ * minus_trace_of_product(hull[i], hull[j]));
+  const auto v_at = [](double P) { return std::sqrt(std::fmax(0, -P) / 6); };
+  const std::array<double, 2> v = {v_at(range_of_p.high()), v_at(range_of_p.low())};
+  const std::size_t ends = kind_ == Kind::Curved ? 2 : 1;
+  const double factor = kind_ == Kind::Curved ? 3 * side_ * p_factor_ : 0;
+  for (std::size_t end = 0; end < ends; ++end)
+    for (std::size_t i = 0; i < hull.size(); ++i)
+      for (std::size_t j = i; j < hull.size(); ++j)
+        add([&](const Tensor<double>& along) {
+          const double q = 3 * q_factor_ * polar_q(hull[i], hull[j], along);
+          return factor == 0 ? q
+                             : q + factor * v[end] *
+                                       (minus_trace_of_product(hull[i], along) +
+                                        minus_trace_of_product(hull[j], along));
+        });
+  return vectors;
+}
+
 Bounds SurfaceFunction::derivative_on(std::span<const Tensor<double>> hull,
                                       const Tensor<double>& along,
                                       const EntryBounds& entries) const {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "triplex/arithmetic/filter.hpp"
 #include "triplex/bernstein/forms.hpp"
@@ -43,6 +44,11 @@ class SurfaceFunction {
   /// distances where f vanishes at all of them. N = 1, 2, 3.
   template <int N>
   double largest_value(const std::array<Tensor<double>, N>& hull, const EntryBounds& bounds) const;
+
+  /// Vectors whose hull holds, up to rounding, the derivatives along three directions (two: the
+  /// third is zero) at all points of the hull: a witness comes from them.
+  std::vector<std::array<double, 3>> derivatives_approx(
+      std::span<const Tensor<double>> hull, std::span<const Tensor<double>> directions) const;
 
   /// Bounds on the derivative along a direction on the hull of some tensors; `bounds` hold for them
   /// and for the direction.

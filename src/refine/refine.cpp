@@ -179,6 +179,9 @@ class Refinement {
     leaf.obstacle = certificate.obstacle;
     if (certificate.open != 0 && !is_at_vertex(certificate.obstacle))
       wishes_.local().push_back({pending_[n], mark_of(leaf, certificate)});
+    if (options_.wish && certificate.open == 0)
+      if (const auto edge = options_.wish(complex_.field, leaf))
+        wishes_.local().push_back({pending_[n], {*edge, 0}});
   }
   /// The edge that failed to be certified, unless the leaf has become too long.
   Mark mark_of(const Leaf& leaf, const CellCertificate& certificate) const {

@@ -22,6 +22,7 @@
 #include "triplex/field/periodic.hpp"
 #include "triplex/field/progress.hpp"
 #include "triplex/field/tensor_field.hpp"
+#include "triplex/refine/refine.hpp"
 
 namespace triplex {
 
@@ -74,6 +75,8 @@ struct ExtractionOptions {
   /// Bisections that one tet of the input may ask for before it is reported as unresolved. Nothing:
   /// `default_budget`.
   std::optional<std::uint32_t> max_bisections;
+  /// Further refinement of what is certified (`RefineOptions::wish`). May be empty.
+  LeafWish wish;
   /// 0: all cores.
   unsigned threads = 0;
   ProgressCallback progress;

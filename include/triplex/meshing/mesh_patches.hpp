@@ -29,22 +29,23 @@ struct MeshingOptions {
 
 /// How good the meshes are.
 struct MeshAccuracy {
-  std::uint64_t patches = 0;  ///< of surfaces, one per tet of the refined mesh
-  std::uint64_t within = 0;   ///< proven to be within the tolerance
-  std::uint64_t beyond = 0;   ///< with a proven bound that is larger
-  std::uint64_t unproven = 0;  ///< without a bound
-  double largest_error = 0;   ///< the largest proven bound, in units of length
+  std::uint64_t patches = 0;        ///< of surfaces, one per tet of the refined mesh
+  std::uint64_t within = 0;         ///< proven to be within the tolerance
+  std::uint64_t beyond = 0;         ///< with a proven bound that is larger
+  std::uint64_t unproven = 0;       ///< without a bound
+  double largest_error = 0;         ///< the largest proven bound, in units of length
   double largest_vertex_error = 0;  ///< of vertices whose error is proven, in units of length
   std::uint64_t unproven_vertices = 0;
 };
 
 struct MeshedPatches {
-  std::vector<FeatureMesh> features;  ///< one per row of the table; empty where there are no patches
+  std::vector<FeatureMesh>
+      features;  ///< one per row of the table; empty where there are no patches
   MeshAccuracy accuracy;
 };
 
-/// Meshes the patches of an extraction: arcs are sampled once and shared, patches become constrained
-/// Delaunay triangulations over a plane, with `FeatureMesh::normals` and `error_bound`.
+/// Meshes the patches of an extraction: arcs are sampled once and shared, patches become
+/// constrained Delaunay triangulations over a plane, with `FeatureMesh::normals` and `error_bound`.
 /// Guarantee: where `error_bound` is finite, every point of the triangles of the patch is within
 /// that distance of the surface, and every point of the surface's patch within it of the triangles;
 /// meshes are watertight like those of the extraction. The result does not depend on threads.

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,11 @@ struct Leaf {
 /// What stopped the refinement of a tet that is still open.
 enum class Limit : std::uint8_t { None, Budget, Depth, Size };
 
+/// The edge along which a certified leaf should be bisected all the same; nothing if it is good
+/// enough.
+using LeafWish =
+    std::function<std::optional<std::array<VertexId, 2>>(const RefinableField&, const Leaf&)>;
+
 struct RefineOptions {
   FeatureTable table;
   FeatureSet features = kStandardSet;  ///< rows of the table
@@ -39,6 +45,8 @@ struct RefineOptions {
   PeriodicAxes periodic{};
   /// No further round starts with more tets than this; bounds memory.
   std::size_t max_tets = 0;
+  /// Asked about leaves without open features; a bisection counts like any other. May be empty.
+  LeafWish wish;
   std::function<void(double done)> progress;
   const std::atomic<bool>* interrupted = nullptr;
 };
