@@ -21,11 +21,7 @@ class FeatureAssembler {
         arcs_(arcs),
         feature_(feature),
         of_corner_(complex.corners.size(), kUnused),
-        of_arc_point_(arcs.points().size(), kUnused) {
-    // Points on the curve have the invariants that the curve has by definition.
-    for (std::uint32_t n = 0; n < complex.arcs.size(); ++n)
-      if (complex.arcs[n].vertices == 4) curve_arcs_.push_back(n);
-  }
+        first_of_arc_(complex.arcs.size(), kUnused) {}
 
   void add_patch(const Patch& patch, const MeshedPatch& meshed) {
     numbers_.clear();
@@ -55,29 +51,36 @@ class FeatureAssembler {
   }
 
  private:
-  bool is_on_curve(const OutlineVertex& v) const {
-    if (!v.on_arc) return complex_.corners[v.number].vertices == 3;
-    const auto arc = std::ranges::upper_bound(curve_arcs_, v.number, {},
-                                              [&](std::uint32_t n) { return arcs_.first(n); });
-    return arc != curve_arcs_.begin() &&
-           v.number < arcs_.first(*std::prev(arc)) + arcs_.count(*std::prev(arc));
+  std::uint32_t shared(const OutlineVertex& v, const MeshedPatch& meshed, std::size_t i) {
+    if (!v.is_corner()) return of_arc(v, meshed, i);
+    std::uint32_t& number = of_corner_[v.number];
+    if (number != kUnused) return number;
+    const PatchCorner& corner = complex_.corners[v.number];
+    number = add_point(corner.position, meshed, i);
+    if (corner.vertices == 1) mesh_.nodes.push_back(number);
+    set_last(corner.vertices == 3 ? kInvariantsOnTripleCurve
+                                  : invariants_on(complex_.table, feature_, corner.p, corner.q));
+    return number;
   }
 
-  std::uint32_t shared(const OutlineVertex& v, const MeshedPatch& meshed, std::size_t i) {
-    std::uint32_t& number = (v.on_arc ? of_arc_point_ : of_corner_)[v.number];
-    if (number != kUnused) return number;
-    const PatchCorner* const corner = v.on_arc ? nullptr : &complex_.corners[v.number];
-    number = static_cast<std::uint32_t>(mesh_.points.size());
-    if (corner && corner->vertices == 1) mesh_.nodes.push_back(number);
-    add_point(corner ? corner->position : arcs_.points()[v.number], meshed, i);
-    const auto set = [&](const std::array<double, 3>& x) {
-      mesh_.p.back() = x[0], mesh_.q.back() = x[1], mesh_.mode.back() = x[2];
-    };
-    if (is_on_curve(v))
-      set(kInvariantsOnTripleCurve);
-    else if (corner)
-      set(invariants_on(complex_.table, feature_, corner->p, corner->q));
-    return number;
+  /// The points of an arc are numbered together when the first of them is met.
+  std::uint32_t of_arc(const OutlineVertex& v, const MeshedPatch& meshed, std::size_t i) {
+    std::uint32_t& first = first_of_arc_[v.number];
+    if (first != kUnused) return first + v.point;
+    const std::vector<Point>& points = arcs_[v.number].points;
+    first = static_cast<std::uint32_t>(mesh_.points.size());
+    // The patch at hand runs through them forwards or backwards, from vertex i on.
+    const bool forwards = v.point == 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      add_point(points[k], meshed, forwards ? i + k : i + points.size() - 1 - k);
+      if (complex_.arcs[v.number].vertices == 4) set_last(kInvariantsOnTripleCurve);
+    }
+    return first + v.point;
+  }
+
+  void set_last(const std::array<double, 3>& invariants) {
+    mesh_.p.back() = invariants[0], mesh_.q.back() = invariants[1];
+    mesh_.mode.back() = invariants[2];
   }
 
   std::uint32_t add_point(const Point& x, const MeshedPatch& meshed, std::size_t i) {
@@ -95,7 +98,7 @@ class FeatureAssembler {
   const PatchComplex& complex_;
   const MeshedArcs& arcs_;
   const Feature feature_;
-  std::vector<std::uint32_t> of_corner_, of_arc_point_, curve_arcs_, numbers_;
+  std::vector<std::uint32_t> of_corner_, first_of_arc_, numbers_;
   FeatureMesh mesh_;
 };
 
@@ -117,9 +120,10 @@ FeatureMesh assemble_curve(const PatchComplex& complex, const MeshedArcs& arcs) 
     return of_corner[n];
   };
   for (const CurvePiece& piece : complex.curve) {
-    const std::uint32_t arc = piece.use.arc, first = arcs.first(arc), count = arcs.count(arc);
-    const auto& ends = complex.arcs[arc].ends;
-    const double deviation = arcs.deviation(arc);
+    const MeshedArc& arc = arcs[piece.use.arc];
+    const std::size_t count = arc.points.size();
+    const auto& ends = complex.arcs[piece.use.arc].ends;
+    const double deviation = arc.deviation;
     std::uint32_t from = at_corner(ends[piece.use.reversed ? 1 : 0]);
     const auto add_segment = [&](std::uint32_t to) {
       mesh.segments.push_back({from, to});
@@ -128,9 +132,9 @@ FeatureMesh assemble_curve(const PatchComplex& complex, const MeshedArcs& arcs) 
       mesh.error_bound.push_back(deviation);
       from = to;
     };
-    for (std::uint32_t k = 0; k < count; ++k)
-      add_segment(add(arcs.points()[first + (piece.use.reversed ? count - 1 - k : k)],
-                      std::isfinite(deviation) ? arcs.point_error(arc) : deviation));
+    for (std::size_t k = 0; k < count; ++k)
+      add_segment(add(arc.points[piece.use.reversed ? count - 1 - k : k],
+                      std::isfinite(deviation) ? arc.point_error : deviation));
     add_segment(at_corner(ends[piece.use.reversed ? 0 : 1]));
   }
   return mesh;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "assemble_meshes.hpp"
 #include "meshed_patches.hpp"
@@ -37,24 +38,17 @@ class Mesher {
       : input_(input),
         complex_(complex),
         options_(options),
-        functions_(surface_functions(complex.table, complex.field->scale_exponent())) {}
+        functions_(surface_functions(complex.table, complex.field->scale_exponent())),
+        share_(complex.patches.size(), 1) {}
 
   MeshedPatches run() {
-    report("tolerances");
-    const std::vector<ArcTarget> targets = arc_targets();
-    report("arcs");
-    const MeshedArcs arcs(complex_, functions_, targets);
-    report("patches");
+    MeshedArcs arcs(complex_, functions_);
     std::vector<MeshedPatch> patches(complex_.patches.size());
-    // In slices, so that an interrupt is seen.
-    for (std::size_t start = 0; start < patches.size(); start += kSlice) {
-      const std::size_t end = std::min(start + kSlice, patches.size());
-      tbb::parallel_for(start, end, [&](std::size_t n) {
-        const Patch& patch = complex_.patches[n];
-        patches[n] = mesh_patch(complex_, arcs, patch, functions_[index(patch.feature)],
-                                tolerance_of(patch), options_.keep_tensors);
-      });
-      report("patches", static_cast<double>(end) / static_cast<double>(patches.size()));
+    for (int round = 0; round < kMostRounds; ++round) {
+      report("arcs");
+      const std::vector<bool> changed = arcs.sample(arc_targets());
+      mesh_changed(arcs, changed, patches);
+      if (!ask_for_more(patches)) break;
     }
     report("join");
     return {assemble_meshes(complex_, arcs, patches), accuracy_of(arcs, patches)};
@@ -62,15 +56,50 @@ class Mesher {
 
  private:
   static constexpr std::size_t kSlice = 1u << 15;
+  /// Each round makes the arcs of tangled patches finer by kFiner in deviation, with four times as
+  /// many points. What is tangled still is pinched: its arcs touch, or nearly so.
+  static constexpr int kMostRounds = 3;
+  static constexpr double kFiner = 1.0 / 16;
 
   void report(std::string_view step, double done = 0) const {
     if (options_.interrupted && options_.interrupted->load()) throw Interrupted{};
     if (options_.progress) options_.progress(step, done);
   }
 
-  double tolerance_of(const Patch& patch) const {
+  double tolerance_of(std::size_t n) const {
+    const Patch& patch = complex_.patches[n];
     return options_.tolerance ? options_.tolerance->at(longest_edge_approx(input_, patch.input))
                               : kInfinite;
+  }
+
+  /// Meshes the patches with an arc that has changed. In slices, so that an interrupt is seen.
+  void mesh_changed(const MeshedArcs& arcs, const std::vector<bool>& changed,
+                    std::vector<MeshedPatch>& patches) const {
+    std::vector<std::size_t> missing;
+    for (std::size_t n = 0; n < patches.size(); ++n)
+      if (std::ranges::any_of(complex_.boundary(complex_.patches[n]),
+                              [&](const ArcUse& use) { return changed[use.arc]; }))
+        missing.push_back(n);
+    for (std::size_t start = 0; start < missing.size(); start += kSlice) {
+      const std::size_t end = std::min(start + kSlice, missing.size());
+      tbb::parallel_for(start, end, [&](std::size_t i) {
+        const Patch& patch = complex_.patches[missing[i]];
+        patches[missing[i]] = mesh_patch(complex_, arcs, patch, functions_[index(patch.feature)],
+                                         tolerance_of(missing[i]), options_.keep_tensors);
+      });
+      report("patches", static_cast<double>(end) / static_cast<double>(missing.size()));
+    }
+  }
+
+  /// Patches whose polygons are tangled in their charts get finer arcs. False: there are none.
+  bool ask_for_more(const std::vector<MeshedPatch>& patches) {
+    bool any = false;
+    for (std::size_t n = 0; n < patches.size(); ++n) {
+      if (!patches[n].is_tangled) continue;
+      share_[n] *= kFiner;
+      any = true;
+    }
+    return any;
   }
 
   /// What every arc has to satisfy: all that the patches that it bounds ask for.
@@ -80,7 +109,8 @@ class Mesher {
       const Patch& patch = complex_.patches[n];
       const SurfaceFunction& f = functions_[index(patch.feature)];
       const CellMap cell(*complex_.field, patch.cell, f.takes_trace());
-      shares[n] = shares_of(tolerance_of(patch), chart_of(complex_, patch, cell, f), cell.size());
+      shares[n] =
+          shares_of(share_[n] * tolerance_of(n), chart_of(complex_, patch, cell, f), cell.size());
     });
     std::vector<ArcTarget> targets(complex_.arcs.size());
     for (std::size_t n = 0; n < shares.size(); ++n)
@@ -102,10 +132,9 @@ class Mesher {
     for (std::size_t n = 0; n < patches.size(); ++n) {
       const MeshedPatch& patch = patches[n];
       ++accuracy.patches;
-      ++(patch.error <= tolerance_of(complex_.patches[n]) && patch.error < kInfinite
-             ? accuracy.within
-         : patch.error < kInfinite ? accuracy.beyond
-                                   : accuracy.unproven);
+      ++(patch.error <= tolerance_of(n) && patch.error < kInfinite ? accuracy.within
+         : patch.error < kInfinite                                 ? accuracy.beyond
+                                                                   : accuracy.unproven);
       if (patch.error < kInfinite)
         accuracy.largest_error = std::max(accuracy.largest_error, patch.error);
       add_vertices(patch.error < kInfinite ? patch.vertex_error : kInfinite, patch.inside.size());
@@ -113,7 +142,8 @@ class Mesher {
     for (std::uint32_t n = 0; n < complex_.corners.size(); ++n)
       add_vertices(arcs.corner_error(n), 1);
     for (std::uint32_t n = 0; n < complex_.arcs.size(); ++n)
-      add_vertices(arcs.deviation(n) < kInfinite ? arcs.point_error(n) : kInfinite, arcs.count(n));
+      add_vertices(arcs[n].deviation < kInfinite ? arcs[n].point_error : kInfinite,
+                   arcs[n].points.size());
     return accuracy;
   }
 
@@ -121,6 +151,7 @@ class Mesher {
   const PatchComplex& complex_;
   const MeshingOptions& options_;
   const std::vector<SurfaceFunction> functions_;
+  std::vector<double> share_;  // of its tolerance that a patch gives its arcs
 };
 
 }  // namespace

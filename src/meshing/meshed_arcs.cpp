@@ -9,21 +9,6 @@
 namespace triplex {
 namespace {
 
-/// For every arc the cell that it is sampled in: that of the first patch or piece that uses it.
-std::vector<std::array<VertexId, 4>> host_cells(const PatchComplex& complex) {
-  std::vector<std::array<VertexId, 4>> hosts(complex.arcs.size());
-  std::vector<bool> has_host(complex.arcs.size(), false);
-  for (const Patch& patch : complex.patches)
-    for (const ArcUse& use : complex.boundary(patch))
-      if (!has_host[use.arc]) {
-        hosts[use.arc] = patch.cell;
-        has_host[use.arc] = true;
-      }
-  for (const CurvePiece& piece : complex.curve)
-    hosts[piece.use.arc] = complex.arcs[piece.use.arc].carrier;
-  return hosts;
-}
-
 Weights corner_in_cell(const PatchCorner& corner, const std::array<VertexId, 4>& cell) {
   return in_cell(std::span(corner.weights).first(corner.vertices),
                  std::span(corner.carrier).first(corner.vertices), cell);
@@ -41,11 +26,6 @@ std::size_t lacking(const PatchArc& arc, const std::array<VertexId, 4>& cell) {
       return i;
   return 4;
 }
-
-struct Sampled {
-  std::vector<std::array<double, 4>> weights;  // on the carrier
-  std::vector<Point> points;
-};
 
 }  // namespace
 
@@ -65,63 +45,87 @@ Weights in_cell(std::span<const double> weights, std::span<const VertexId> carri
   return w;
 }
 
-MeshedArcs::MeshedArcs(const PatchComplex& complex, const std::vector<SurfaceFunction>& functions,
-                       const std::vector<ArcTarget>& targets)
-    : first_(complex.arcs.size() + 1),
-      deviation_(complex.arcs.size()),
-      value_(complex.arcs.size()),
-      point_error_(complex.arcs.size()),
+MeshedArcs::MeshedArcs(const PatchComplex& complex, const std::vector<SurfaceFunction>& functions)
+    : complex_(complex),
+      functions_(functions),
+      hosts_(complex.arcs.size()),
       corner_error_(complex.corners.size()) {
-  const auto hosts = host_cells(complex);
-  const std::size_t arcs = complex.arcs.size();
+  find_hosts();
+  bound_corner_errors();
+}
 
-  // What the value of f says of a corner may be much better than the bracket of its root; an arc on
-  // a face at each corner is enough to tell.
-  std::vector<std::uint32_t> arc_at(complex.corners.size(), static_cast<std::uint32_t>(arcs));
-  for (std::uint32_t n = 0; n < arcs; ++n)
-    if (complex.arcs[n].vertices == 3)
-      for (const std::uint32_t corner : complex.arcs[n].ends)
-        arc_at[corner] = std::min(arc_at[corner], n);
-  tbb::parallel_for(std::size_t{0}, complex.corners.size(), [&](std::size_t n) {
-    const PatchCorner& corner = complex.corners[n];
-    corner_error_[n] = corner.error;
-    if (corner.vertices != 2 || arc_at[n] == arcs) return;
-    const SurfaceFunction& f = functions[index(complex.arcs[arc_at[n]].feature)];
-    const CellMap cell(*complex.field, hosts[arc_at[n]], f.takes_trace());
-    corner_error_[n] =
-        std::min(corner.error, error_on_edge(cell, f, corner_in_cell(corner, hosts[arc_at[n]])));
-  });
-
-  std::vector<Sampled> sampled(arcs);
-  tbb::parallel_for(std::size_t{0}, arcs, [&](std::size_t n) {
-    const PatchArc& arc = complex.arcs[n];
-    const bool on_face = arc.vertices == 3;
-    const SurfaceFunction& f = functions[index(arc.feature)];
-    const CellMap cell(*complex.field, hosts[n], on_face && f.takes_trace());
-    const ArcEnds ends = {corner_in_cell(complex.corners[arc.ends[0]], hosts[n]),
-                          corner_in_cell(complex.corners[arc.ends[1]], hosts[n]),
-                          std::max(corner_error_[arc.ends[0]], corner_error_[arc.ends[1]])};
-    SampledArc result = on_face ? sample_face_arc(cell, f, lacking(arc, hosts[n]), ends, targets[n])
-                                : sample_spine_arc(cell, ends, targets[n].deviation);
-    deviation_[n] = arc.certified ? result.deviation : std::numeric_limits<double>::infinity();
-    value_[n] = result.value;
-    point_error_[n] = result.point_error;
-    for (const Weights& w : result.between) {
-      const Vector x = cell.position(w);
-      sampled[n].points.push_back({x[0], x[1], x[2]});
-      std::array<double, 4> on_carrier{};
-      for (std::size_t i = 0; i < arc.vertices; ++i)
-        on_carrier[i] = w[position_in(arc.carrier[i], hosts[n])];
-      sampled[n].weights.push_back(on_carrier);
+void MeshedArcs::find_hosts() {
+  std::vector<bool> has_host(complex_.arcs.size(), false);
+  for (const Patch& patch : complex_.patches)
+    for (const ArcUse& use : complex_.boundary(patch)) {
+      if (has_host[use.arc]) continue;
+      hosts_[use.arc] = patch.cell;
+      has_host[use.arc] = true;
     }
+  for (const CurvePiece& piece : complex_.curve)
+    hosts_[piece.use.arc] = complex_.arcs[piece.use.arc].carrier;
+}
+
+/// What the value of f says of a corner may be much better than the bracket of its root; one arc on
+/// a face at each corner is enough to tell.
+void MeshedArcs::bound_corner_errors() {
+  const auto none = static_cast<std::uint32_t>(complex_.arcs.size());
+  std::vector<std::uint32_t> arc_at(complex_.corners.size(), none);
+  for (std::uint32_t n = 0; n < none; ++n)
+    if (complex_.arcs[n].vertices == 3)
+      for (const std::uint32_t corner : complex_.arcs[n].ends)
+        arc_at[corner] = std::min(arc_at[corner], n);
+  tbb::parallel_for(std::size_t{0}, complex_.corners.size(), [&](std::size_t n) {
+    const PatchCorner& corner = complex_.corners[n];
+    corner_error_[n] = corner.error;
+    if (corner.vertices != 2 || arc_at[n] == none) return;
+    const SurfaceFunction& f = functions_[index(complex_.arcs[arc_at[n]].feature)];
+    const auto& host = hosts_[arc_at[n]];
+    const CellMap cell(*complex_.field, host, f.takes_trace());
+    corner_error_[n] = std::min(corner.error, error_on_edge(cell, f, corner_in_cell(corner, host)));
   });
-  for (std::size_t n = 0; n < arcs; ++n) {
-    first_[n] = static_cast<std::uint32_t>(points_.size());
-    points_.insert(points_.end(), sampled[n].points.begin(), sampled[n].points.end());
-    weights_.insert(weights_.end(), sampled[n].weights.begin(), sampled[n].weights.end());
-    sampled[n] = {};
+}
+
+std::vector<bool> MeshedArcs::sample(const std::vector<ArcTarget>& targets) {
+  std::vector<std::uint32_t> wanted;
+  std::vector<bool> changed(targets.size(), false);
+  for (std::uint32_t n = 0; n < targets.size(); ++n)
+    if (arcs_.empty() || arcs_[n].target != targets[n]) {
+      wanted.push_back(n);
+      changed[n] = true;
+    }
+  arcs_.resize(targets.size());
+  tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
+    arcs_[wanted[i]] = sampled(wanted[i], targets[wanted[i]]);
+  });
+  return changed;
+}
+
+MeshedArc MeshedArcs::sampled(std::uint32_t n, const ArcTarget& target) const {
+  const PatchArc& arc = complex_.arcs[n];
+  const auto& host = hosts_[n];
+  const bool on_face = arc.vertices == 3;
+  const SurfaceFunction& f = functions_[index(arc.feature)];
+  const CellMap cell(*complex_.field, host, on_face && f.takes_trace());
+  const ArcEnds ends = {corner_in_cell(complex_.corners[arc.ends[0]], host),
+                        corner_in_cell(complex_.corners[arc.ends[1]], host),
+                        std::max(corner_error_[arc.ends[0]], corner_error_[arc.ends[1]])};
+  const SampledArc found = on_face ? sample_face_arc(cell, f, lacking(arc, host), ends, target)
+                                   : sample_spine_arc(cell, ends, target.deviation);
+  MeshedArc result;
+  result.target = target;
+  result.deviation = arc.certified ? found.deviation : std::numeric_limits<double>::infinity();
+  result.value = found.value;
+  result.point_error = found.point_error;
+  for (const Weights& w : found.between) {
+    const Vector x = cell.position(w);
+    result.points.push_back({x[0], x[1], x[2]});
+    std::array<double, 4> on_carrier{};
+    for (std::size_t i = 0; i < arc.vertices; ++i)
+      on_carrier[i] = w[position_in(arc.carrier[i], host)];
+    result.weights.push_back(on_carrier);
   }
-  first_[arcs] = static_cast<std::uint32_t>(points_.size());
+  return result;
 }
 
 }  // namespace triplex

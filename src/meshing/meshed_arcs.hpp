@@ -16,31 +16,41 @@ std::vector<SurfaceFunction> surface_functions(const FeatureTable& table, int sc
 Weights in_cell(std::span<const double> weights, std::span<const VertexId> carrier,
                 const std::array<VertexId, 4>& cell);
 
-/// The arcs of a complex as polylines, each sampled once, for all patches that share it.
+/// An arc as a polyline.
+struct MeshedArc {
+  /// Between its ends, from the first to the second; weights are those of the arc's carrier.
+  std::vector<Point> points;
+  std::vector<std::array<double, 4>> weights;
+  ArcTarget target;  ///< that it was sampled for
+  /// See `SampledArc`; infinite where the arc is not certified.
+  double deviation = 0, value = 0;
+  double point_error = 0;
+};
+
+/// The arcs of a complex, each sampled once for all patches that share it.
 class MeshedArcs {
  public:
-  MeshedArcs(const PatchComplex& complex, const std::vector<SurfaceFunction>& functions,
-             const std::vector<ArcTarget>& targets);
+  /// Samples nothing yet.
+  MeshedArcs(const PatchComplex& complex, const std::vector<SurfaceFunction>& functions);
 
-  const std::vector<Point>& points() const { return points_; }
-  /// The first point of an arc between its ends; those of the next follow.
-  std::uint32_t first(std::uint32_t arc) const { return first_[arc]; }
-  std::uint32_t count(std::uint32_t arc) const { return first_[arc + 1] - first_[arc]; }
-  /// On the carrier of the point's arc.
-  const std::array<double, 4>& weights(std::uint32_t point) const { return weights_[point]; }
-  /// See `SampledArc`; infinite where the arc is not certified.
-  double deviation(std::uint32_t arc) const { return deviation_[arc]; }
-  double value(std::uint32_t arc) const { return value_[arc]; }
-  /// Of the points between the ends.
-  double point_error(std::uint32_t arc) const { return point_error_[arc]; }
+  /// Samples the arcs whose targets have changed; says which.
+  std::vector<bool> sample(const std::vector<ArcTarget>& targets);
+
+  const MeshedArc& operator[](std::uint32_t arc) const { return arcs_[arc]; }
   /// How far a corner may be from the true point, in units of length.
   double corner_error(std::uint32_t corner) const { return corner_error_[corner]; }
 
  private:
-  std::vector<Point> points_;
-  std::vector<std::array<double, 4>> weights_;
-  std::vector<std::uint32_t> first_;
-  std::vector<double> deviation_, value_, point_error_, corner_error_;
+  void find_hosts();
+  void bound_corner_errors();
+  MeshedArc sampled(std::uint32_t arc, const ArcTarget& target) const;
+
+  const PatchComplex& complex_;
+  const std::vector<SurfaceFunction>& functions_;
+  /// The cell that each arc is sampled in: that of the first patch or piece that uses it.
+  std::vector<std::array<VertexId, 4>> hosts_;
+  std::vector<MeshedArc> arcs_;
+  std::vector<double> corner_error_;
 };
 
 }  // namespace triplex

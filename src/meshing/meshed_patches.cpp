@@ -14,12 +14,7 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// many points would be saved.
 constexpr double kGoodRise = 0.5;
 
-Weights weights_of(const PatchComplex& complex, const MeshedArcs& arcs, const PatchArc& arc,
-                   const OutlineVertex& v, const std::array<VertexId, 4>& cell) {
-  if (v.on_arc)
-    return in_cell(std::span(arcs.weights(v.number)).first(arc.vertices),
-                   std::span(arc.carrier).first(arc.vertices), cell);
-  const PatchCorner& corner = complex.corners[v.number];
+Weights weights_of(const PatchCorner& corner, const std::array<VertexId, 4>& cell) {
   return in_cell(std::span(corner.weights).first(corner.vertices),
                  std::span(corner.carrier).first(corner.vertices), cell);
 }
@@ -37,20 +32,23 @@ struct Outline {
 Outline outline_of(const PatchComplex& complex, const MeshedArcs& arcs, const Patch& patch,
                    const std::optional<Chart>& chart) {
   Outline outline;
-  const auto add = [&](const PatchArc& arc, const OutlineVertex& v) {
-    outline.vertices.push_back(v);
-    outline.weights.push_back(weights_of(complex, arcs, arc, v, patch.cell));
-  };
   for (const ArcUse& use : complex.boundary(patch)) {
     const PatchArc& arc = complex.arcs[use.arc];
-    add(arc, {start_of(arc, use), false});
-    const std::uint32_t first = arcs.first(use.arc), count = arcs.count(use.arc);
-    for (std::uint32_t n = 0; n < count; ++n)
-      add(arc, {first + (use.reversed ? count - 1 - n : n), true});
-    const double deviation = arcs.deviation(use.arc);
+    const MeshedArc& meshed = arcs[use.arc];
+    const std::uint32_t start = start_of(arc, use);
+    outline.vertices.push_back({start});
+    outline.weights.push_back(weights_of(complex.corners[start], patch.cell));
+    const auto count = static_cast<std::uint32_t>(meshed.points.size());
+    for (std::uint32_t n = 0; n < count; ++n) {
+      const std::uint32_t point = use.reversed ? count - 1 - n : n;
+      outline.vertices.push_back({use.arc, point});
+      outline.weights.push_back(in_cell(std::span(meshed.weights[point]).first(arc.vertices),
+                                        std::span(arc.carrier).first(arc.vertices), patch.cell));
+    }
+    const double deviation = meshed.deviation;
     outline.deviation = std::max(outline.deviation, deviation);
     // Of an arc of the curve it is known only how far it is.
-    outline.value = std::max(outline.value, arc.vertices == 3 ? arcs.value(use.arc)
+    outline.value = std::max(outline.value, arc.vertices == 3 ? meshed.value
                                             : chart           ? deviation * chart->steepest
                                                               : kInfinite);
   }
@@ -94,8 +92,7 @@ std::optional<Chart> chart_of(const PatchComplex& complex, const Patch& patch, c
   Vector mean = Vector::Zero();
   for (const ArcUse& use : complex.boundary(patch)) {
     const PatchCorner& corner = complex.corners[start_of(complex.arcs[use.arc], use)];
-    const Weights w = in_cell(std::span(corner.weights).first(corner.vertices),
-                              std::span(corner.carrier).first(corner.vertices), patch.cell);
+    const Weights w = weights_of(corner, patch.cell);
     if (const auto gradient = gradient_at(cell, f, w)) mean += *gradient;
   }
   if (auto chart = chart_along(cell, f, mean); chart && chart->rise > kGoodRise * chart->steepest)
@@ -119,6 +116,7 @@ MeshedPatch mesh_patch(const PatchComplex& complex, const MeshedArcs& arcs, cons
     mesh.error = cell.size();
   mesh.error += 2 * cell.position_error();
   mesh.vertex_error = result.vertex_error + cell.position_error();
+  mesh.is_tangled = result.is_tangled;
   mesh.outline = std::move(outline.vertices);
   mesh.triangles = std::move(result.triangles);
   for (const Weights& w : result.inside) {

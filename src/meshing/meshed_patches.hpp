@@ -9,10 +9,13 @@
 
 namespace triplex {
 
-/// A vertex along the boundary of patches: a corner, or a point of an arc.
+/// A vertex along the boundary of patches: a corner, or a point between the ends of an arc.
 struct OutlineVertex {
-  std::uint32_t number = 0;
-  bool on_arc = false;  ///< in `MeshedArcs::points`; else in `PatchComplex::corners`
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  std::uint32_t number = 0;     ///< of the arc, or of the corner
+  std::uint32_t point = kNone;  ///< of the arc; none at a corner
+
+  bool is_corner() const { return point == kNone; }
 };
 
 /// What a patch says of each of its vertices.
@@ -30,6 +33,7 @@ struct MeshedPatch {
   std::vector<Tensor<double>> tensors;  ///< T; empty unless asked for
   double error = 0;                     ///< see `FeatureMesh::error_bound`
   double vertex_error = 0;              ///< of the vertices inside
+  bool is_tangled = false;              ///< see `PatchTriangles`
 };
 
 /// The chart of a patch: across the mean gradient at its corners, else the best one.

@@ -35,6 +35,7 @@ struct ArcTarget {
   double deviation = std::numeric_limits<double>::infinity();
   double value = std::numeric_limits<double>::infinity();  ///< of f; not asked of the curve's arcs
 
+  friend bool operator==(const ArcTarget&, const ArcTarget&) = default;
   void include(const ArcTarget& other) {
     deviation = std::fmin(deviation, other.deviation);
     value = std::fmin(value, other.value);

@@ -32,6 +32,8 @@ struct PatchTriangles {
   double error = std::numeric_limits<double>::infinity();
   /// How far the vertices inside may be from the surface.
   double vertex_error = 0;
+  /// The outline is no simple polygon in the plane of the chart: a finer one may be.
+  bool is_tangled = false;
 };
 
 /// Triangulates a patch in the plane of its chart: constrained Delaunay, refined until the error is
