@@ -63,7 +63,4 @@ bool has_spine_slices(const CellMap& cell);
 /// from the value of f; infinite if f does not grow along the edge.
 double error_on_edge(const CellMap& cell, const SurfaceFunction& f, const Weights& point);
 
-/// Refinement stops at segments shorter than this part of the cell.
-inline constexpr double kShortestSegment = 0x1p-30;
-
 }  // namespace triplex

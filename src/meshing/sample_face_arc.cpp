@@ -13,6 +13,9 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
+/// How often a segment is cut, each time into two parts or more.
+constexpr int kMostCuts = 16;
+
 /// On a face, f grows at least by `rise` along `up`: the arc is a graph over the line across it.
 struct FaceChart {
   Weights up;
@@ -75,21 +78,17 @@ class FaceArc {
   double error_at(const FaceChart& chart, const Weights& w) const {
     return f_.largest_value<1>({cell_.tensor(w)}, cell_.bounds()) / chart.rise * (1 + 0x1p-20);
   }
-  double length(const Weights& a, const Weights& b) const {
-    return (cell_.position(b) - cell_.position(a)).norm();
-  }
-
   /// Appends the points between a and b, so that |f| is within the target on all segments: cut
   /// evenly into as many parts as a parabola asks for, and each of these again if it needs that.
   /// False: it cannot be reached.
   bool add_between(const FaceChart& chart, const Weights& a, const Weights& b, double target,
-                   SampledArc& arc) const {
+                   SampledArc& arc, int cuts = 0) const {
     const double now = largest_value(a, b);
     if (now <= target) {
       largest_ = std::max(largest_, now);
       return true;
     }
-    if (length(a, b) < kShortestSegment * cell_.size()) return false;
+    if (cuts == kMostCuts) return false;
     constexpr double kMostParts = 1024;
     const double parts = std::clamp(std::ceil(std::sqrt(now / target)), 2.0, kMostParts);
     Weights from = a;
@@ -102,7 +101,7 @@ class FaceArc {
         if (!moved || *std::ranges::min_element(*moved) < 0) return false;
         to = *moved;
       }
-      if (!add_between(chart, from, to, target, arc)) return false;
+      if (!add_between(chart, from, to, target, arc, cuts + 1)) return false;
       if (!last) arc.between.push_back(to);
       from = to;
     }

@@ -34,6 +34,8 @@ Matrix jacobian(const Tensor<double>& a, const std::array<Tensor<double>, 2>& al
   return j;
 }
 
+constexpr int kMostHalvings = 24;
+
 constexpr Weights kCentroid = {0.25, 0.25, 0.25, 0.25};
 
 /// Parallel planes in which the curve is followed, the same for the whole arc: spanned by two
@@ -57,17 +59,20 @@ class SpineArc {
   }
 
   /// Appends the points between a and b. False: the target cannot be reached.
-  bool add_between(const Weights& a, const Weights& b, double target, SampledArc& arc) {
+  bool add_between(const Weights& a, const Weights& b, double target, SampledArc& arc,
+                   int halvings = 0) {
     const auto now = deviation(a, b);
     if (now && *now <= target) {
       largest_ = std::max(largest_, *now);
       return true;
     }
-    if ((cell_.offset(b) - cell_.offset(a)).norm() < kShortestSegment * cell_.size()) return false;
+    if (halvings == kMostHalvings) return false;
     const auto middle = move_to_curve(between(a, b, 0.5));
-    if (!middle || !add_between(a, *middle, target, arc)) return false;
+    if (!middle || *std::ranges::min_element(*middle) < 0 ||
+        !add_between(a, *middle, target, arc, halvings + 1))
+      return false;
     arc.between.push_back(*middle);
-    return add_between(*middle, b, target, arc);
+    return add_between(*middle, b, target, arc, halvings + 1);
   }
   double largest() const { return largest_; }
   /// How far a point between proven segments may be from the curve's point in its slice.

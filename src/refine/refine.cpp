@@ -43,7 +43,8 @@ class Refinement {
                 options.table.page_count() == kStandardPages),
         complex_(input),
         stars_(complex_, options.table, options.features),
-        spent_(input.mesh.tets.size(), 0) {
+        spent_(input.mesh.tets.size(), 0),
+        granted_(input.mesh.tets.size(), 0) {
     if (level_sets_ != 0) complex_.field.keep_tensors();
     if (any(options.periodic))
       complex_.copies = PeriodicCopies(input, complex_.field, options.periodic);
@@ -70,6 +71,7 @@ class Refinement {
   struct Wish {
     std::uint32_t leaf;
     Mark mark;
+    bool is_certified = false;  ///< what `RefineOptions::wish` wants
   };
 
   /// Vertices ascending; the input check made the orientation positive.
@@ -181,7 +183,7 @@ class Refinement {
       wishes_.local().push_back({pending_[n], mark_of(leaf, certificate)});
     if (options_.wish && certificate.open == 0)
       if (const auto edge = options_.wish(complex_.field, leaf))
-        wishes_.local().push_back({pending_[n], {*edge, 0}});
+        wishes_.local().push_back({pending_[n], {*edge, 0}, true});
   }
   /// The edge that failed to be certified, unless the leaf has become too long.
   Mark mark_of(const Leaf& leaf, const CellCertificate& certificate) const {
@@ -315,17 +317,18 @@ class Refinement {
       complex_.hit_size_limit = true;
       return marks;
     }
-    std::vector<TetId> asking;
+    std::vector<std::uint32_t*> asking;
     for (auto& wishes : wishes_) {
       for (const Wish& wish : wishes) {
         const TetId tet = complex_.leaves[wish.leaf].input;
-        if (spent_[index(tet)] >= options_.max_bisections) continue;
-        asking.push_back(tet);
+        std::uint32_t& spent = (wish.is_certified ? granted_ : spent_)[index(tet)];
+        if (spent >= options_.max_bisections) continue;
+        asking.push_back(&spent);
         marks.push_back(wish.mark);
       }
       wishes.clear();
     }
-    for (const TetId tet : asking) spent_[index(tet)] += 1;
+    for (std::uint32_t* const spent : asking) *spent += 1;
     return marks;
   }
 
@@ -372,6 +375,7 @@ class Refinement {
   NodeStars stars_;
   StagesPerThread stages_;
   std::vector<std::uint32_t> spent_;    // bisections asked for, per input tet
+  std::vector<std::uint32_t> granted_;  // the same, of certified leaves
   std::unordered_set<TetId> searched_;  // tets of the input
   std::vector<std::uint32_t> pending_;  // leaves without a current certificate
   tbb::enumerable_thread_specific<std::vector<Wish>> wishes_;  // in any order: marks are sorted

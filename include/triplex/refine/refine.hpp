@@ -45,7 +45,8 @@ struct RefineOptions {
   PeriodicAxes periodic{};
   /// No further round starts with more tets than this; bounds memory.
   std::size_t max_tets = 0;
-  /// Asked about leaves without open features; a bisection counts like any other. May be empty.
+  /// Asked about leaves without open features; for what it wants, each tet of the input has as many
+  /// bisections again. May be empty.
   LeafWish wish;
   std::function<void(double done)> progress;
   const std::atomic<bool>* interrupted = nullptr;
