@@ -245,7 +245,7 @@ bool has_spine_slices(const CellMap& cell) {
 }
 
 SampledArc sample_spine_arc(const CellMap& cell, const ArcEnds& ends, double target) {
-  if (!(ends.error < target / 8)) return {};
+  if (!(ends.error < target / 8) || !std::isfinite(target)) return {};
   const Vector chord = cell.offset(ends.second) - cell.offset(ends.first);
   if (SampledArc arc = sample_across(cell, chord, ends, target); arc.deviation <= target)
     return arc;
