@@ -11,6 +11,7 @@
 #include "effort_options.hpp"
 #include "feature_list.hpp"
 #include "interrupt.hpp"
+#include "joint_results.hpp"
 #include "periodic_option.hpp"
 #include "progress.hpp"
 #include "reading_options.hpp"
@@ -101,7 +102,7 @@ void write_places(const Extraction& extraction, StagedDirectory& directory) {
 // The meshes first, the report last: where the report is, the set is complete.
 void write_results(const ExtractRequest& request, const TensorField& field,
                    const Extraction& extraction, const FeatureSummaries& summaries,
-                   StagedDirectory& directory, Steps& steps) {
+                   const JointResults& joint, StagedDirectory& directory, Steps& steps) {
   const FeatureTable& table = extraction.table;
   for (const Feature f : reading_order(table.all())) {
     steps.progress.show("writing");
@@ -116,14 +117,17 @@ void write_results(const ExtractRequest& request, const TensorField& field,
     write_nodes(directory.stage("nodes.vtp"), extraction.nodes);
     std::vector<std::string_view> blocks = names_of(table, table.all());
     blocks.push_back("nodes");
+    if (joint.crossings) blocks.push_back("crossings");
     write_collection(directory.stage("features.vtpc"), blocks);
   }
+  write_joint_files(joint, table, directory);
   if (request.domains) write_domains(directory.stage("domains.vtu"), extraction.domains);
   write_places(extraction, directory);
   steps.timing.write = steps.step.lap();
   steps.timing.total = steps.total.lap();
-  write_text_file(directory.stage("report.json"),
-                  make_report(request, field, extraction, summaries, steps.timing).dump(2) + "\n");
+  nlohmann::ordered_json report = make_report(request, field, extraction, summaries, steps.timing);
+  add_to_report(joint, table, report);
+  write_text_file(directory.stage("report.json"), report.dump(2) + "\n");
   directory.commit();
 }
 
@@ -135,11 +139,12 @@ ExitCode run_extract(const ExtractRequest& request) {
   const Extraction extraction = extract_with_progress(field, request, steps);
   steps.progress.show("topology");
   const FeatureSummaries summaries = summarize(extraction);
+  const JointResults joint = examine_jointly(request, extraction, steps.progress);
   steps.timing.topology = steps.step.lap();
-  write_results(request, field, extraction, summaries, directory, steps);
+  write_results(request, field, extraction, summaries, joint, directory, steps);
   steps.progress.clear();
   fmt::print("{}", describe_reading(field.split, repairs));
-  fmt::print("{}", make_table(extraction, summaries));
+  fmt::print("{}{}", make_table(extraction, summaries), joint_lines(joint));
   return extraction.certified() ? ExitCode::Certified : ExitCode::Unresolved;
 }
 
@@ -198,6 +203,10 @@ void add_extract(CLI::App& program, Action& action) {
       "Take the symmetric parts of the tensors; their degenerate features are curves");
   command->add_flag("--domains", request->domains,
                     "Also domains.vtu: the domain cut by all pages into cells");
+  command->add_flag("--check-embedding", request->check_embedding,
+                    "Decide exactly whether triangles meet where they should not");
+  command->add_flag("--complex", request->complex,
+                    "Also complex.vtu: all features as one complex of patches, curves, corners");
   add_periodic_option(*command, request->periodic,
                       "Opposite sides across these axes are one; their tensors must be equal");
   add_effort_options(*command, request->effort);

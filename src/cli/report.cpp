@@ -54,6 +54,8 @@ Json options_json(const ExtractRequest& request, const Extraction& extraction) {
                {"periodic", request.periodic},
                {"symmetric", request.symmetric},
                {"domains", request.domains},
+               {"check_embedding", request.check_embedding},
+               {"complex", request.complex},
                {"max_bisections", extraction.refinement.max_bisections},
                {"threads", request.effort.threads},
                {"tensor", request.reading.tensor_name},

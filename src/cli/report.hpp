@@ -47,6 +47,8 @@ struct ExtractRequest {
   EffortOptions effort;
   bool symmetric = false;  ///< take the symmetric parts of the tensors
   bool domains = false;
+  bool check_embedding = false;
+  bool complex = false;
 };
 
 /// The contents of report.json; docs/formats.md says what each key means.

@@ -35,6 +35,7 @@ FeatureSoup join_features(std::span<const FeatureMesh> meshes) {
       throw std::invalid_argument("the arrays of the mesh differ in length");
     shift.push_back(static_cast<std::uint32_t>(soup.points.size()));
     soup.points.insert(soup.points.end(), mesh.points.begin(), mesh.points.end());
+    for (const std::uint32_t v : mesh.nodes) soup.nodes.push_back(v + shift[f]);
     for (const auto& [a, b, c] : mesh.triangles)
       soup.triangles.push_back({a + shift[f], b + shift[f], c + shift[f]});
     // Segments come before triangles in the arrays of a mesh.

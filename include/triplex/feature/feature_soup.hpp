@@ -19,9 +19,10 @@ struct FeatureSoup {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::array<std::uint32_t, 2>> segments;
   std::vector<Feature> features;  ///< per cell
-  // Per cell, or empty where nobody asks.
+  // Per cell, or empty where nobody asks; and so nodes.
   std::vector<std::int64_t> source_cell = {};  ///< cell id in the input file
   std::vector<std::uint8_t> certified = {};    ///< 1 where the topology is proven
+  std::vector<std::uint32_t> nodes = {};       ///< points that are nodes, ascending
 
   std::size_t cells() const { return triangles.size() + segments.size(); }
 };
