@@ -81,7 +81,7 @@ TEST(CrossingCurves, ThroughVerticesAndAlongEdges) {
   // The plane x = 1/2 of a square of 4 x 4 squares runs along its edges, x = y through its
   // vertices and along its diagonals.
   const test::Mesh flat = test::square(4);
-  const test::Mesh wall = {{{0.5, -1, -1}, {0.5, 2, -1}, {0.5, 2, 1}, {0.5, -1, 1}},
+  const test::Mesh wall = {{{0.5, -1.1, -1}, {0.5, 2, -1}, {0.5, 2, 1}, {0.5, -1.1, 1}},
                            {{0, 1, 2}, {0, 2, 3}}};
   CrossingCurves curves = Crossed(flat, wall).curves();
   CurveTopology topology = topology_of(curves);
