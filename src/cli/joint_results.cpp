@@ -3,6 +3,7 @@
 #include "joint_results.hpp"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <functional>
@@ -177,6 +178,9 @@ JointResults examine_jointly(const ExtractRequest& request, const Extraction& ex
                              Progress& progress) {
   JointResults joint;
   if (!request.check_embedding && !request.complex) return joint;
+  std::optional<tbb::global_control> limit;
+  if (request.effort.threads > 0)
+    limit.emplace(tbb::global_control::max_allowed_parallelism, request.effort.threads);
   joint.soup = join_features(extraction.features);
   if (request.check_embedding) check(extraction, progress, joint);
   throw_if_interrupted();
