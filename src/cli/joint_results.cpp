@@ -27,6 +27,7 @@ void check(const Extraction& extraction, Progress& progress, JointResults& joint
   Stopwatch watch;
   EmbeddingOptions options;
   options.policy = CrossingPolicy(extraction.table);
+  options.has_triple_curve = contains(extraction.requested, Feature::TripleCurve);
   options.most_listed = kListed;
   options.progress = [&](double done) { progress.show("embedding", done); };
   options.interrupted = &interrupted();
@@ -73,7 +74,7 @@ Json contact_json(const Contact& contact, const FeatureSoup& soup, const Feature
 
 Json embedding_json(const JointResults& joint, const FeatureTable& table) {
   const EmbeddingResult& result = *joint.embedding;
-  Json contacts = Json::array(), degenerate = Json::array();
+  Json contacts = Json::array(), degenerate = Json::array(), joined = Json::array();
   for (const Contact& contact : result.contacts)
     contacts.push_back(contact_json(contact, joint.soup, table));
   for (const std::uint32_t cell : result.degenerate) {
@@ -81,6 +82,10 @@ Json embedding_json(const JointResults& joint, const FeatureTable& table) {
     degenerate.push_back({{"feature", table.row(joint.soup.features[cell]).name},
                           {"tet", joint.soup.source_cell[cell]},
                           {"near", middle_of(joint.soup, cell)}});
+  }
+  for (const std::uint32_t point : result.joined) {
+    if (joined.size() == kListed) break;
+    joined.push_back(joint.soup.points[point]);
   }
   return {{"embedded", result.embedded()},
           {"triangles", joint.soup.triangles.size()},
@@ -90,8 +95,10 @@ Json embedding_json(const JointResults& joint, const FeatureTable& table) {
           {"within_features", kinds_json(result.within)},
           {"between_features", kinds_json(result.between)},
           {"degenerate", result.degenerate.size()},
+          {"joined", result.joined.size()},
           {"contacts", contacts},
           {"degenerate_cells", degenerate},
+          {"joined_at", joined},
           {"seconds", joint.embedding_s}};
 }
 

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
 
 #include "cell_contact.hpp"
@@ -43,6 +44,33 @@ std::uint64_t count_used(const std::vector<Cell>& cells, std::size_t points) {
   return count;
 }
 
+bool any_apart(FeatureSet features, const CrossingPolicy& policy) {
+  for (FeatureSet rest = features; rest != 0; rest &= rest - 1)
+    for (FeatureSet others = rest & (rest - 1); others != 0; others &= others - 1)
+      if (!policy.allows(static_cast<Feature>(std::countr_zero(rest)),
+                         static_cast<Feature>(std::countr_zero(others))))
+        return true;
+  return false;
+}
+
+/// Vertices off the triple curve that two features share which may not meet.
+std::vector<std::uint32_t> joined_vertices(const FeatureSoup& soup, const std::vector<Cell>& cells,
+                                           const CrossingPolicy& policy) {
+  std::vector<FeatureSet> features(soup.points.size(), 0);
+  std::vector<bool> may_join(soup.points.size(), false);
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (const std::uint32_t v : cells[c].vertices) {
+      features[v] |= bit(soup.features[c]);
+      if (soup.features[c] == Feature::TripleCurve) may_join[v] = true;
+    }
+  const std::vector<std::uint32_t> vertex = merge_equal_points(soup.points);
+  for (const std::uint32_t point : soup.nodes) may_join[vertex[point]] = true;
+  std::vector<std::uint32_t> joined;
+  for (std::uint32_t v = 0; v < features.size(); ++v)
+    if (!may_join[v] && any_apart(features[v], policy)) joined.push_back(v);
+  return joined;
+}
+
 class EmbeddingCheck {
  public:
   EmbeddingCheck(const FeatureSoup& soup, const EmbeddingOptions& options)
@@ -55,6 +83,7 @@ class EmbeddingCheck {
   EmbeddingResult run() {
     EmbeddingResult result;
     result.vertices = count_used(cells_, soup_.points.size());
+    if (options_.has_triple_curve) result.joined = joined_vertices(soup_, cells_, options_.policy);
     tbb::parallel_for(std::size_t{0}, cells_.size(), [&](std::size_t c) {
       degenerate_[c] = detail::is_degenerate(cells_[c], soup_.points);
     });

@@ -61,7 +61,8 @@ TEST(Embedding, CountsAndPlacesFitTogether) {
   for (const char* block : {"within_features", "between_features"})
     for (const char* kind : {"crossing", "overlap", "touching"})
       contacts += embedding[block][kind].get<std::uint64_t>();
-  EXPECT_EQ(embedding["embedded"], contacts == 0 && embedding["degenerate"] == 0);
+  EXPECT_EQ(embedding["embedded"],
+            contacts == 0 && embedding["degenerate"] == 0 && embedding["joined"] == 0);
   EXPECT_EQ(embedding["contacts"].size(), std::min<std::uint64_t>(contacts, 100));
   for (const json& contact : embedding["contacts"]) {
     EXPECT_EQ(contact["features"].size(), 2u);

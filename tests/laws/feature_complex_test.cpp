@@ -96,10 +96,11 @@ TEST(FeatureComplexLaws, CountsAndEdges) {
 
 TEST(FeatureComplexLaws, LinearFieldsOnGoodMeshesAreEmbedded) {
   for (const Case& c : cases()) {
-    const EmbeddingResult result =
-        check_embedding(c.soup, {.policy = CrossingPolicy(c.extraction.table)});
-    EXPECT_TRUE(result.embedded()) << c.name << ": " << result.contacts_within() << ", "
-                                   << result.contacts_between() << ", " << result.degenerate.size();
+    const EmbeddingResult result = check_embedding(
+        c.soup, {.policy = CrossingPolicy(c.extraction.table), .has_triple_curve = true});
+    EXPECT_TRUE(result.embedded())
+        << c.name << ": " << result.contacts_within() << ", " << result.contacts_between() << ", "
+        << result.degenerate.size() << ", " << result.joined.size();
   }
 }
 

@@ -207,6 +207,31 @@ TEST(Embedding, AllowedPairsAreCrossings) {
   EXPECT_EQ(check_embedding(soup, options).within, (std::array<std::uint64_t, 3>{2, 0, 0}));
 }
 
+TEST(Embedding, PagesMayShareVerticesOnTheTripleCurveAndAtNodesOnly) {
+  FeatureTable table;
+  const Feature level = table.add_magnitude(2);
+  FeatureSoup soup = soup_of({kFlat, {{{0, 0, 0}, {4, 0, 0}, {1, 1, 1}}}});
+  soup.features = {kPage, kOtherPage};
+  EmbeddingOptions options{.policy = CrossingPolicy(table)};
+  EXPECT_TRUE(check_embedding(soup, options).embedded()) << "the curve is not known";
+  options.has_triple_curve = true;
+  EmbeddingResult result = check_embedding(soup, options);
+  EXPECT_EQ(result.joined, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_TRUE(result.contacts.empty());
+  EXPECT_FALSE(result.embedded());
+  soup.nodes = {4};  // a copy of point 1
+  EXPECT_EQ(check_embedding(soup, options).joined, (std::vector<std::uint32_t>{0}));
+  FeatureSoup with_curve = soup;
+  with_curve.nodes.clear();
+  with_curve.segments = {{3, 1}};
+  with_curve.features.push_back(Feature::TripleCurve);
+  EXPECT_TRUE(check_embedding(with_curve, options).embedded());
+  soup.features = {kPage, level};
+  EXPECT_TRUE(check_embedding(soup, options).embedded()) << "they may meet";
+  soup.features = {kPage, kPage};
+  EXPECT_TRUE(check_embedding(soup, options).embedded());
+}
+
 TEST(Embedding, GoodMeshes) {
   for (const test::Mesh& mesh : {test::torus(12, 16), test::sphere(6, 1), test::square(8),
                                  test::together(test::sphere(6, 1), test::sphere(6, 0.5))}) {

@@ -55,6 +55,9 @@ struct Contact {
 
 struct EmbeddingOptions {
   CrossingPolicy policy = {};
+  /// The triple curve is among the segments: features that may not meet may share vertices on it
+  /// and at nodes only. Otherwise nobody knows where it is, and they may share any.
+  bool has_triple_curve = false;
   /// Contacts beyond these are counted but not listed.
   std::size_t most_listed = 1'000'000;
   /// Also list the pairs of triangles that the policy allows to meet and that do.
@@ -69,6 +72,9 @@ struct EmbeddingResult {
   std::vector<Contact> crossings;  ///< allowed pairs of triangles, ascending; all
   /// Triangles without area and segments without length, ascending. They are in no contact.
   std::vector<std::uint32_t> degenerate;
+  /// With `has_triple_curve`: vertices, by their lowest points, off that curve and no nodes, that
+  /// two features share which may not meet. Ascending.
+  std::vector<std::uint32_t> joined;
   std::uint64_t vertices = 0;  ///< points that are used, equal ones counted once
   std::uint64_t pairs = 0;     ///< pairs of cells whose boxes meet: those decided
   /// All contacts, by kind: within one feature, and between two that may not meet.
@@ -76,19 +82,19 @@ struct EmbeddingResult {
 
   std::uint64_t contacts_within() const { return within[0] + within[1] + within[2]; }
   std::uint64_t contacts_between() const { return between[0] + between[1] + between[2]; }
-  /// No contact, and nothing degenerate.
+  /// No contact, nothing degenerate, nothing joined.
   bool embedded() const {
-    return contacts_within() + contacts_between() == 0 && degenerate.empty();
+    return contacts_within() + contacts_between() == 0 && degenerate.empty() && joined.empty();
   }
 };
 
 /// Decides for all pairs of cells whether they meet in more than a common vertex or edge.
 /// Coordinates are taken as exact. Guarantee: `embedded()` if and only if no cell is degenerate and
-/// any two that the policy keeps apart meet in a common face of both, or not at all; every listed
-/// contact is one. The result does not depend on threads. Cost: near linear in the cells where they
-/// are small; memory linear in cells and contacts.
-/// \throw std::invalid_argument as `check_mesh`, and unless there is one feature per cell;
-/// Interrupted. Source: proofs/embedding.md.
+/// any two that the policy keeps apart meet in a common face of both, or not at all, and share
+/// vertices where they may; every listed contact is one. The result does not depend on threads.
+/// Cost: near linear in the cells where they are small; memory linear in cells and contacts. \throw
+/// std::invalid_argument as `check_mesh`, and unless there is one feature per cell; Interrupted.
+/// Source: proofs/embedding.md.
 EmbeddingResult check_embedding(const FeatureSoup& soup, const EmbeddingOptions& options = {});
 
 }  // namespace triplex
