@@ -64,10 +64,10 @@ CrossingCurves crossing_curves(const FeatureSoup& soup, std::span<const Contact>
   std::vector<Piece> pieces = pieces_of(soup, crossings, curves);
   tbb::parallel_sort(pieces, [](const Piece& a, const Piece& b) { return a.order() < b.order(); });
   // Along an edge of one mesh the triangles on both sides of it give the same piece.
-  const auto repeated = std::ranges::unique(pieces, [](const Piece& a, const Piece& b) {
-    return a.features == b.features && a.ends == b.ends;
-  });
-  pieces.erase(repeated.begin(), repeated.end());
+  const auto repeated = std::unique(
+      pieces.begin(), pieces.end(),
+      [](const Piece& a, const Piece& b) { return a.features == b.features && a.ends == b.ends; });
+  pieces.erase(repeated, pieces.end());
 
   // Different pairs of features do not share points: where three meet, each has its own.
   using Place = std::pair<std::array<Feature, 2>, Meeting>;
@@ -75,7 +75,7 @@ CrossingCurves crossing_curves(const FeatureSoup& soup, std::span<const Contact>
   for (const Piece& piece : pieces)
     for (const Meeting& end : piece.ends) places.emplace_back(piece.features, end);
   tbb::parallel_sort(places);
-  places.erase(std::ranges::unique(places).begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
   curves.points.resize(places.size());
   tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t n) {
     curves.points[n] = detail::place_of(places[n].second, soup.points);

@@ -120,8 +120,7 @@ Meetings meetings_of(const Triangle& first, const Triangle& second, std::span<co
     result.ends.push_back({f, s});
   });
   std::ranges::sort(result.ends);
-  const auto repeated = std::ranges::unique(result.ends);
-  result.ends.erase(repeated.begin(), repeated.end());
+  result.ends.erase(std::unique(result.ends.begin(), result.ends.end()), result.ends.end());
   return result;
 }
 
