@@ -203,12 +203,12 @@ void add_extract(CLI::App& program, Action& action) {
       "Take the symmetric parts of the tensors; their degenerate features are curves");
   command->add_flag("--domains", request->domains,
                     "Also domains.vtu: the domain cut by all pages into cells");
+  add_periodic_option(*command, request->periodic,
+                      "Opposite sides across these axes are one; their tensors must be equal");
   command->add_flag("--check-embedding", request->check_embedding,
                     "Decide exactly whether triangles meet where they should not");
   command->add_flag("--complex", request->complex,
                     "Also complex.vtu: all features as one complex of patches, curves, corners");
-  add_periodic_option(*command, request->periodic,
-                      "Opposite sides across these axes are one; their tensors must be equal");
   add_effort_options(*command, request->effort);
   command->footer(
       "Examples:\n"
