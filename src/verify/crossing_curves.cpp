@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "in_fp_arena.hpp"
 #include "simplex_meeting.hpp"
 
 namespace triplex {
@@ -57,9 +58,7 @@ std::vector<Piece> pieces_of(const FeatureSoup& soup, std::span<const Contact> c
   return pieces;
 }
 
-}  // namespace
-
-CrossingCurves crossing_curves(const FeatureSoup& soup, std::span<const Contact> crossings) {
+CrossingCurves join(const FeatureSoup& soup, std::span<const Contact> crossings) {
   CrossingCurves curves;
   std::vector<Piece> pieces = pieces_of(soup, crossings, curves);
   tbb::parallel_sort(pieces, [](const Piece& a, const Piece& b) { return a.order() < b.order(); });
@@ -90,6 +89,12 @@ CrossingCurves crossing_curves(const FeatureSoup& soup, std::span<const Contact>
     curves.source_cells.push_back(piece.source_cells);
   }
   return curves;
+}
+
+}  // namespace
+
+CrossingCurves crossing_curves(const FeatureSoup& soup, std::span<const Contact> crossings) {
+  return detail::in_fp_arena([&] { return join(soup, crossings); });
 }
 
 }  // namespace triplex

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "cell_contact.hpp"
+#include "in_fp_arena.hpp"
 #include "simplex_tree.hpp"
 #include "triplex/verify/mesh_view.hpp"
 
@@ -177,7 +178,7 @@ EmbeddingResult check_embedding(const FeatureSoup& soup, const EmbeddingOptions&
   check_mesh(view_of(soup));
   if (soup.features.size() != soup.cells())
     throw std::invalid_argument("the soup has not one feature per cell");
-  return EmbeddingCheck(soup, options).run();
+  return detail::in_fp_arena([&] { return EmbeddingCheck(soup, options).run(); });
 }
 
 }  // namespace triplex

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <cfenv>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -366,6 +367,31 @@ TEST(Embedding, SameForAnyThreadsAndLimits) {
   const EmbeddingResult few = check_embedding(soup, {.most_listed = 7});
   EXPECT_EQ(few.contacts, std::vector<Contact>(all.contacts.begin(), all.contacts.begin() + 7));
   EXPECT_EQ(few.within, all.within);
+}
+
+TEST(Embedding, SameWhateverTheRoundingModeOfTheHost) {
+  // Triangles in one plane up to rounding: every sign is a close one.
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> place(0, 1);
+  std::vector<Triangle> triangles(150);
+  for (Triangle& t : triangles) {
+    const double x = place(random), y = place(random);
+    for (Point& p : t) {
+      p = {x + place(random) / 4, y + place(random) / 4, 0};
+      p[2] = p[0] / 3 + p[1] / 7;
+    }
+  }
+  const FeatureSoup soup = soup_of(triangles);
+  const EmbeddingResult expected = check_embedding(soup);
+  EXPECT_GT(expected.within[0], 100u);
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    const EmbeddingResult result = check_embedding(soup);
+    const bool kept = std::fegetround() == mode;
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(result.contacts, expected.contacts);
+    EXPECT_TRUE(kept);
+  }
 }
 
 TEST(Embedding, InterruptedAndBadInput) {
