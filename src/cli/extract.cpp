@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "command.hpp"
 #include "effort_options.hpp"
 #include "feature_list.hpp"
 #include "interrupt.hpp"
+#include "joint_results.hpp"
 #include "periodic_option.hpp"
 #include "progress.hpp"
 #include "reading_options.hpp"
@@ -127,7 +128,7 @@ void write_places(const Extraction& extraction, StagedDirectory& directory) {
 // The meshes first, the report last: where the report is, the set is complete.
 void write_results(const ExtractRequest& request, const TensorField& field,
                    const Extraction& extraction, const FeatureSummaries& summaries,
-                   StagedDirectory& directory, Steps& steps) {
+                   const JointResults& joint, StagedDirectory& directory, Steps& steps) {
   const FeatureTable& table = extraction.table;
   for (const Feature f : reading_order(table.all())) {
     steps.progress.show("writing");
@@ -142,14 +143,18 @@ void write_results(const ExtractRequest& request, const TensorField& field,
     write_nodes(directory.stage("nodes.vtp"), extraction.nodes);
     std::vector<std::string_view> blocks = names_of(table, table.all());
     blocks.push_back("nodes");
+    if (joint.crossings) blocks.push_back("crossings");
     write_collection(directory.stage("features.vtpc"), blocks);
   }
+  write_joint_files(joint, table, directory);
   if (request.domains) write_domains(directory.stage("domains.vtu"), extraction.domains);
   write_places(extraction, directory);
   steps.timing.write = steps.step.lap();
   steps.timing.total = steps.total.lap();
-  write_text_file(directory.stage("report.json"),
-                  make_report(request, field, extraction, summaries, steps.accuracy, steps.timing).dump(2) + "\n");
+  nlohmann::ordered_json report =
+      make_report(request, field, extraction, summaries, steps.accuracy, steps.timing);
+  add_to_report(joint, table, report);
+  write_text_file(directory.stage("report.json"), report.dump(2) + "\n");
   directory.commit();
 }
 
@@ -162,12 +167,14 @@ ExitCode run_extract(const ExtractRequest& request) {
   if (!request.tolerance.empty()) refine_meshes(field, request, extraction, steps);
   steps.progress.show("topology");
   const FeatureSummaries summaries = summarize(extraction);
+  const JointResults joint = examine_jointly(request, extraction, steps.progress);
   steps.timing.topology = steps.step.lap();
-  write_results(request, field, extraction, summaries, directory, steps);
+  write_results(request, field, extraction, summaries, joint, directory, steps);
   steps.progress.clear();
   fmt::print("{}", describe_reading(field.split, repairs));
   fmt::print("{}", make_table(extraction, summaries));
   if (steps.accuracy) fmt::print("{}", describe(*steps.accuracy));
+  fmt::print("{}", joint_lines(joint));
   return extraction.certified() ? ExitCode::Certified : ExitCode::Unresolved;
 }
 
@@ -191,11 +198,10 @@ void check_array_names(std::vector<std::string>& names) {
 void check_tolerance(const ExtractRequest& request) {
   if (request.tolerance.empty()) return;
   if (!parse_tolerance(request.tolerance))
-    throw UsageError(fmt::format(
-        "--tolerance: '{}' is no positive number, with or without an r behind it",
-        request.tolerance));
-  if (!request.periodic.empty())
-    throw UsageError("--tolerance cannot be combined with --periodic");
+    throw UsageError(
+        fmt::format("--tolerance: '{}' is no positive number, with or without an r behind it",
+                    request.tolerance));
+  if (!request.periodic.empty()) throw UsageError("--tolerance cannot be combined with --periodic");
 }
 
 std::vector<MeshFormat> parse_formats(const std::vector<std::string>& names) {
@@ -237,12 +243,17 @@ void add_extract(CLI::App& program, Action& action) {
   command->add_flag("--domains", request->domains,
                     "Also domains.vtu: the domain cut by all pages into cells");
   command
-      ->add_option("--tolerance", request->tolerance,
-                   "Largest distance between meshes and surfaces, both ways: a length, or with an r "
-                   "behind it a part of the longest edge of the tet at hand")
+      ->add_option(
+          "--tolerance", request->tolerance,
+          "Largest distance between meshes and surfaces, both ways: a length, or with an r "
+          "behind it a part of the longest edge of the tet at hand")
       ->type_name("EPS");
   add_periodic_option(*command, request->periodic,
                       "Opposite sides across these axes are one; their tensors must be equal");
+  command->add_flag("--check-embedding", request->check_embedding,
+                    "Decide exactly whether triangles meet where they should not");
+  command->add_flag("--complex", request->complex,
+                    "Also complex.vtu: all features as one complex of patches, curves, corners");
   add_effort_options(*command, request->effort);
   command->footer(
       "Examples:\n"

@@ -57,6 +57,8 @@ Json options_json(const ExtractRequest& request, const Extraction& extraction) {
                {"tolerance", request.tolerance},
                {"max_bisections", extraction.refinement.max_bisections},
                {"threads", request.effort.threads},
+               {"check_embedding", request.check_embedding},
+               {"complex", request.complex},
                {"tensor", request.reading.tensor_name},
                {"gradient_of", request.reading.gradient_of},
                {"transpose", request.reading.transpose},

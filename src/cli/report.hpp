@@ -52,6 +52,8 @@ struct ExtractRequest {
   bool symmetric = false;  ///< take the symmetric parts of the tensors
   bool domains = false;
   std::string tolerance;  ///< empty: one polygon per tet
+  bool check_embedding = false;
+  bool complex = false;
 };
 
 /// The contents of report.json; docs/formats.md says what each key means.

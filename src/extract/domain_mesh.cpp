@@ -5,10 +5,6 @@
 namespace triplex {
 namespace {
 
-constexpr std::array<std::string_view, kDomains> kNames = {
-    "inner-complex-linear", "outer-complex-linear", "real-linear",
-    "real-planar",          "outer-complex-planar", "inner-complex-planar"};
-
 /// Six times the signed volume of the tet o, a, b, c.
 double determinant(const Point& o, const Point& a, const Point& b, const Point& c) {
   const auto u = [&](int k) { return a[k] - o[k]; };
@@ -19,8 +15,6 @@ double determinant(const Point& o, const Point& a, const Point& b, const Point& 
 }
 
 }  // namespace
-
-std::string_view name_of(Domain domain) { return kNames[static_cast<std::size_t>(domain)]; }
 
 double volume_approx(const DomainMesh& mesh, std::size_t cell) {
   if (cell < mesh.tets.size()) {

@@ -226,4 +226,11 @@ Domain FeatureTable::domain(Sector s) const {
   return static_cast<Domain>(domain);
 }
 
+std::string_view name_of(Domain domain) {
+  constexpr std::array<std::string_view, kDomains> kNames = {
+      "inner-complex-linear", "outer-complex-linear", "real-linear",
+      "real-planar",          "outer-complex-planar", "inner-complex-planar"};
+  return kNames[static_cast<std::size_t>(domain)];
+}
+
 }  // namespace triplex

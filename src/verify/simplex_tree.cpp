@@ -117,6 +117,28 @@ struct ReachSearch : Search<ReachSearch> {
   }
 };
 
+CGAL::Bbox_3 box_of(const Corners& s) {
+  const auto [x0, x1] = std::minmax({s[0][0], s[1][0], s[2][0]});
+  const auto [y0, y1] = std::minmax({s[0][1], s[1][1], s[2][1]});
+  const auto [z0, z1] = std::minmax({s[0][2], s[1][2], s[2][2]});
+  return {x0, y0, z0, x1, y1, z1};
+}
+
+struct BoxSearch {
+  Simplices simplices;
+  std::uint32_t above;
+  std::vector<std::uint32_t>& found;
+
+  bool go_further() const { return true; }
+  bool do_intersect(const CGAL::Bbox_3& box, const Node& node) const {
+    return CGAL::do_overlap(box, node.bbox());
+  }
+  void intersection(const CGAL::Bbox_3& box, const Primitive& primitive) {
+    const std::uint32_t s = primitive.id();
+    if (s > above && CGAL::do_overlap(box, box_of((*simplices)[s]))) found.push_back(s);
+  }
+};
+
 }  // namespace
 
 std::vector<Corners> cells_of(const MeshView& mesh) {
@@ -169,6 +191,11 @@ double SimplexTree::least_squared_reach(const Corners& corners) const {
   search.simplices = simplices_.get();
   impl_->tree.traversal_with_priority(corners, search);
   return search.best;
+}
+
+void SimplexTree::boxes_meeting(std::uint32_t s, std::vector<std::uint32_t>& found) const {
+  BoxSearch search{simplices_.get(), s, found};
+  impl_->tree.traversal(box_of(simplex(s)), search);
 }
 
 }  // namespace triplex::detail

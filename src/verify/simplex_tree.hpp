@@ -43,6 +43,9 @@ class SimplexTree {
   /// set: the least of `squared_reach` over its simplices. \pre not empty.
   double least_squared_reach(const Corners& corners) const;
 
+  /// Appends the simplices with a number above `s` whose boxes, closed, meet that of simplex `s`.
+  void boxes_meeting(std::uint32_t s, std::vector<std::uint32_t>& found) const;
+
  private:
   struct Impl;
   std::unique_ptr<const std::vector<Corners>> simplices_;  // at a fixed address

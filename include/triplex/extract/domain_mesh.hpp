@@ -13,10 +13,6 @@
 
 namespace triplex {
 
-inline constexpr std::size_t kDomains = 6;
-/// real-linear, outer-complex-planar and so on: the keys of the report.
-std::string_view name_of(Domain domain);
-
 /// The domain of the field cut by all pages into cells, each in one of the six domains of tensors.
 /// Tets that no page crosses stay whole; the others are cut into polyhedra. Cells share points by
 /// index, and where they touch, they have one polygon in common, with opposite orientations.

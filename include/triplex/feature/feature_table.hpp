@@ -25,6 +25,9 @@ enum class Domain : std::uint8_t {
   OuterComplexPlanar = 4,  ///< p < 0, q < 0, D < 0
   InnerComplexPlanar = 5,  ///< p > 0, q < 0
 };
+inline constexpr std::size_t kDomains = 6;
+/// real-linear, outer-complex-planar and so on: the keys of the report.
+std::string_view name_of(Domain domain);
 
 /// Raised by a feature that cannot be: a value out of range, or more rows than a `FeatureSet` has
 /// bits.
