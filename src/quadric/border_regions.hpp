@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "triplex/quadric/adjugate.hpp"
 #include "triplex/quadric/tet_cut.hpp"
 #include "triplex/topology/disjoint_sets.hpp"
 
@@ -35,6 +36,39 @@ class BorderRegions {
 /// A root of a face as one of its tet.
 inline EdgeRoot in_tet(int face, EdgeRoot r) {
   return {static_cast<std::uint8_t>(kEdgesOfFaces[static_cast<std::size_t>(face)][r.edge]), r.root};
+}
+
+/// A positive multiple of the centre of a conic, as a point of its tet. \pre it lies inside the face.
+template <class NT>
+std::array<NT, 4> oval_center(const QuadraticForm<NT, 4>& f, int face) {
+  const auto& vertices = kTetFaces[static_cast<std::size_t>(face)];
+  const auto c = center(adjugate(restricted<3>(f, vertices)));
+  std::array<NT, 4> x;
+  x.fill(NT(0));
+  for (std::size_t k = 0; k < 3; ++k)  // all coordinates have the sign of the first
+    x[static_cast<std::size_t>(vertices[k])] = c[0] * c[k];
+  return x;
+}
+
+/// A vector of the closed tet with the sign `cone`, beside the loop: a vertex, the extremum of an
+/// edge, or the centre of an oval.
+template <class NT>
+std::array<NT, 4> place_in_cone(const QuadraticForm<NT, 4>& f, const std::array<EdgeCut, 6>& edges,
+                                const QuadricLoop& loop, Sign cone) {
+  if (loop.is_oval()) {
+    const Sign around =
+        edges[static_cast<std::size_t>(kEdgesOfFaces[loop.oval_face][0])].ends[0];
+    if (around != cone) return oval_center(f, loop.oval_face);
+    return Representative{kTetFaces[loop.oval_face][0], -1}.place(f, around);
+  }
+  const EdgeRoot root = loop.arcs.front().start;
+  const EdgeCut& edge = edges[root.edge];
+  const auto [v, w] = kTetEdges[root.edge];
+  const int piece = edge.piece(root.root) == cone ? root.root : root.root + 1;
+  const Representative r = piece == 0            ? Representative{v, -1}
+                           : piece == edge.roots ? Representative{w, -1}
+                                                 : Representative{v, w};
+  return r.place(f, edge.ends[0]);
 }
 
 }  // namespace triplex::detail

@@ -107,39 +107,11 @@ class ConvexPatches {
     return sign_of_a == cut_.cone ? Sides{a, b} : Sides{b, a};
   }
 
-  /// A vector in the cone beside the loop.
-  template <class NT>
-  std::array<NT, 4> place(const QuadraticForm<NT, 4>& f, const QuadricLoop& loop) const {
-    if (loop.is_oval()) {
-      const auto& vertices = kTetFaces[loop.oval_face];
-      const Sign around = edges_[kEdgesOfFaces[loop.oval_face][0]].ends[0];
-      if (around == cut_.cone) return Representative{vertices[0], -1}.place(f, around);
-      return oval_center(f, vertices);
-    }
-    const EdgeRoot root = loop.arcs.front().start;
-    const EdgeCut& edge = edges_[root.edge];
-    const auto [v, w] = kTetEdges[root.edge];
-    const int piece = edge.piece(root.root) == cut_.cone ? root.root : root.root + 1;
-    const Representative r = piece == 0            ? Representative{v, -1}
-                             : piece == edge.roots ? Representative{w, -1}
-                                                   : Representative{v, w};
-    return r.place(f, edge.ends[0]);
-  }
-
-  // The centre lies inside the face: its coordinates have one sign, that of the first.
-  template <class NT>
-  std::array<NT, 4> oval_center(const QuadraticForm<NT, 4>& f,
-                                const std::array<int, 3>& vertices) const {
-    const auto c = center(adjugate(restricted<3>(f, vertices)));
-    std::array<NT, 4> x;
-    x.fill(NT(0));
-    for (int k = 0; k < 3; ++k) x[vertices[k]] = c[0] * c[k];
-    return x;
-  }
-
   bool same_cone(const QuadricLoop& a, const QuadricLoop& b) const {
-    return form_.sign_of([&](const auto& f) { return bilinear(f, place(f, a), place(f, b)); }) ==
-           cut_.cone;
+    return form_.sign_of([&](const auto& f) { 
+             return bilinear(f, detail::place_in_cone(f, edges_, a, cut_.cone),
+                             detail::place_in_cone(f, edges_, b, cut_.cone));
+           }) == cut_.cone;
   }
 
   const SimplexForm<4>& form_;

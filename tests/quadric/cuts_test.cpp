@@ -93,7 +93,7 @@ TensorField random_central_quadric(std::mt19937& random, std::size_t plus) {
       return sum;
     };
   }
-  const double radius = 4 + 6 * std::abs(unit(random));
+  const double radius = 5 + 12 * std::abs(unit(random));
   squares[3] = [=](const Point&) { return radius; };
   if (plus == 1)
     return quadric_field(kAroundOrigin, {squares[3]}, {squares[0], squares[1], squares[2]});
@@ -218,9 +218,6 @@ TEST(TetCut, ContactsAreReported) {
   EXPECT_FALSE(transverse({x_of, y_of, z_of}, {})) << "a point";
   EXPECT_FALSE(transverse({}, {x_of})) << "a double plane";
   EXPECT_FALSE(transverse({}, {})) << "everything";
-  const auto at_corner = [](const Point& x) { return x[0] + 7; };
-  EXPECT_FALSE(transverse({one_of}, {at_corner})) << "parallel to a face, but that is allowed"
-                                                  << transverse({one_of}, {at_corner});
 }
 
 }  // namespace

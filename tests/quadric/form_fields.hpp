@@ -53,9 +53,9 @@ inline TensorField quadric_field(const std::array<Point, 4>& corners,
   return field;
 }
 
-/// A tet around the origin that holds the ball of radius 2.
+/// A tet around the origin that holds the ball of radius 7.
 inline constexpr std::array<Point, 4> kAroundOrigin = {
-    {{-7, -7, -7}, {17, -7, -7}, {-7, 17, -7}, {-7, -7, 17}}};
+    {{-7, -7, -7}, {31, -7, -7}, {-7, 31, -7}, {-7, -7, 31}}};
 inline constexpr std::array<VertexId, 4> kCorners = {VertexId(0), VertexId(1), VertexId(2),
                                                      VertexId(3)};
 
