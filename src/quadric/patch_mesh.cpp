@@ -107,6 +107,73 @@ bool is_one_region(const PatchMesh& mesh, const std::vector<TetLoop>& loops) {
   return single == border && std::ranges::find(used, false) == used.end();
 }
 
+/// Which faces of the tet a point lies in, as bits: its coordinates there are plain zeros.
+unsigned faces_of(const TetPoint& x) {
+  unsigned faces = 0;
+  for (unsigned i = 0; i < 4; ++i) faces |= x[i] == 0 ? 1u << i : 0u;
+  return faces;
+}
+
+/// The points of the loops, one loop after another, and which of them follow each other.
+struct Border {
+  std::vector<unsigned> faces;
+  std::vector<std::uint32_t> next;
+  std::vector<PlanePoint> flat;
+
+  Border(const std::vector<TetLoop>& loops, const Loops& flattened) {
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+      const auto first = static_cast<std::uint32_t>(next.size());
+      const auto n = static_cast<std::uint32_t>(loops[l].size());
+      for (std::uint32_t k = 0; k < n; ++k) {
+        faces.push_back(faces_of(loops[l][k]));
+        next.push_back(first + (k + 1) % n);
+        flat.push_back(flattened[l][k]);
+      }
+    }
+  }
+  /// An edge inside the patch between two points of one face: the other tet there may have it too.
+  bool is_chord_of_face(std::uint32_t a, std::uint32_t b) const {
+    return a < next.size() && b < next.size() && (faces[a] & faces[b]) != 0 && next[a] != b &&
+           next[b] != a;
+  }
+};
+
+/// Divides such edges in their middle, so that neighbours share nothing but their common arcs.
+void divide_chords(const PatchChart& chart, const Border& border,
+                   const std::vector<TetLoop>& loops, PatchMesh& mesh) {
+  const auto point = [&](std::uint32_t n) {
+    std::size_t l = 0;
+    while (n >= loops[l].size()) n -= static_cast<std::uint32_t>(loops[l++].size());
+    return loops[l][n];
+  };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [a, b, c] = std::array{mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3],
+                                        mesh.triangles[t][(k + 2) % 3]};
+      if (!border.is_chord_of_face(a, b)) continue;
+      const auto middle = static_cast<std::uint32_t>(border.next.size() + mesh.inner.size());
+      auto x = chart.lifted({(border.flat[a][0] + border.flat[b][0]) / 2,
+                             (border.flat[a][1] + border.flat[b][1]) / 2});
+      if (!x) {
+        x = point(a);
+        for (std::size_t i = 0; i < 4; ++i) (*x)[i] = ((*x)[i] + point(b)[i]) / 2;
+      }
+      mesh.inner.push_back(*x);
+      mesh.triangles[t] = {a, middle, c};
+      mesh.triangles.push_back({middle, b, c});
+      for (std::size_t u = 0; u < mesh.triangles.size(); ++u)
+        for (std::size_t j = 0; j < 3; ++j) {
+          const std::array other = mesh.triangles[u];
+          if (other[j] != b || other[(j + 1) % 3] != a) continue;
+          mesh.triangles[u] = {b, middle, other[(j + 2) % 3]};
+          mesh.triangles.push_back({middle, a, other[(j + 2) % 3]});
+          break;
+        }
+      --t;  // look at what is left of this triangle again
+      break;
+    }
+}
+
 }  // namespace
 
 std::optional<PatchMesh> triangulate_patch(const PatchChart& chart,
@@ -138,6 +205,7 @@ std::optional<PatchMesh> triangulate_patch(const PatchChart& chart,
       mesh.triangles.push_back(
           {f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
   if (!is_one_region(mesh, loops)) return std::nullopt;
+  divide_chords(chart, Border(loops, flat), loops, mesh);
   return mesh;
 }
 

@@ -65,32 +65,35 @@ void mesh_all(const TensorField& field, const QuadricSurface& surface,
   }
 }
 
-/// Whether most of a patch turns the side where the form grows to the front, in the tet's own
-/// orientation.
-bool faces_growth(const QuadraticForm<double, 4>& f, const PatchMesh& patch,
-                  const std::vector<TetPoint>& border) {
-  const auto point = [&](std::uint32_t n) -> const TetPoint& {
-    return n < border.size() ? border[n] : patch.inner[n - border.size()];
-  };
-  double sum = 0;
-  for (const auto& t : patch.triangles) {
-    const TetPoint &a = point(t[0]), &b = point(t[1]), &c = point(t[2]);
-    TetPoint g{}, u{}, v{};
-    double mean = 0;
-    for (int i = 0; i < 4; ++i) {
-      for (int j = 0; j < 4; ++j) g[i] += f(i, j) * (a[j] + b[j] + c[j]);
-      mean += g[i] / 4;
-    }
-    for (int i = 0; i < 4; ++i) {
-      u[i] = b[i] - a[i];
-      v[i] = c[i] - a[i];
-      g[i] -= mean;
-    }
-    // in the coordinates 1, 2, 3 of displacements
-    sum += g[1] * (u[2] * v[3] - u[3] * v[2]) + g[2] * (u[3] * v[1] - u[1] * v[3]) +
-           g[3] * (u[1] * v[2] - u[2] * v[1]);
+/// Whether the positive side of a loop is on its right, seen from outside of the tet, if the order
+/// of the vertices is a positive one. Source: proofs/quadric_patches.md.
+bool positive_on_the_right(const CutMesh& mesh, const CutTet& tet, const QuadricLoop& loop) {
+  const std::uint8_t f = loop.is_oval() ? loop.oval_face : loop.arcs.front().face;
+  const detail::CutMeshFace& face = mesh.faces[tet.faces[f]];
+  // seen with the vertices 0, 1, 2 counter-clockwise: on the right of an arc from root a lies the
+  // piece after it; around an oval, what is outside of it
+  Sign right = mesh.edges[face.edges[0]].cut.ends[0];
+  bool turned = f % 2 != 0;  // those faces are seen so from the inside
+  if (!loop.is_oval()) {
+    const LoopArc& arc = loop.arcs.front();
+    if (face.cut.order[arc.arc][0] % 2 == 0) right = -right;
+    turned = turned != arc.reversed;
   }
-  return sum > 0;
+  return (right == Sign::Positive) != turned;
+}
+
+/// Whether the form grows towards the front of a patch, in the order of the vertices.
+bool front_grows(const CutMesh& mesh, const CutTet& tet, const QuadricPatch& patch,
+                 const PatchMesh& triangles) {
+  if (patch.loops.empty()) return tet.cut.cone == Sign::Negative;  // it shows its outside
+  const bool right = positive_on_the_right(mesh, tet, tet.cut.loops[patch.loops[0]]);
+  for (const auto& t : triangles.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      if (a == 0 && b == 1) return !right;
+      if (a == 1 && b == 0) return right;
+    }
+  return false;
 }
 
 Point in_space(const TensorField& field, const CutTet& tet, const TetPoint& x) {
@@ -101,21 +104,18 @@ Point in_space(const TensorField& field, const CutTet& tet, const TetPoint& x) {
   return p;
 }
 
-/// The triangles of one tet, over the points of faces and then its own from `first_inner` on.
-void append_tet(const TensorField& field, const QuadricSurface& surface, const SampledFaces& faces,
-                const CutTet& tet, const TetPatches& patches, FeatureMesh& mesh) {
-  const auto form = form_approx(SimplexForm<4>(surface, field, tet.vertices));
-  const bool front_grows = surface.kind == QuadricSurface::Kind::Magnitude;
+/// The triangles of one tet, over the points of faces and then its own.
+void append_tet(const TensorField& field, const QuadricSurface& surface, const CutMesh& cuts,
+                const SampledFaces& faces, const CutTet& tet, const TetPatches& patches,
+                FeatureMesh& mesh) {
+  const bool should_grow = surface.kind == QuadricSurface::Kind::Magnitude;
   for (std::size_t n = 0; n < patches.chosen.size(); ++n) {
     const PatchMesh& patch = patches.meshes[n];
     std::vector<std::uint32_t> numbers;
-    std::vector<TetPoint> border;
-    for (const std::uint8_t l : tet.cut.patches[patches.chosen[n]].loops) {
-      faces.numbers_of(tet, tet.cut.loops[l], numbers);
-      const auto points = faces.points_of(tet, tet.cut.loops[l]);
-      border.insert(border.end(), points.begin(), points.end());
-    }
-    const bool turn = (faces_growth(form, patch, border) != tet.flipped) != front_grows;
+    const QuadricPatch& shape = tet.cut.patches[patches.chosen[n]];
+    for (const std::uint8_t l : shape.loops) faces.numbers_of(tet, tet.cut.loops[l], numbers);
+    const bool grows = front_grows(cuts, tet, shape, patch) != tet.flipped;
+    const bool turn = grows != should_grow;
     for (const TetPoint& x : patch.inner) {
       numbers.push_back(static_cast<std::uint32_t>(mesh.points.size()));
       mesh.points.push_back(in_space(field, tet, x));
@@ -187,7 +187,7 @@ QuadricExtraction extract_quadric(const TensorField& field, const FeatureRow& fe
     result.mesh.points = faces.positions();
     for (std::size_t t = 0; t < patches.size(); ++t)
       if (!patches[t].meshes.empty())
-        append_tet(field, *surface, faces, mesh.tets[t], patches[t], result.mesh);
+        append_tet(field, *surface, mesh, faces, mesh.tets[t], patches[t], result.mesh);
     compact(result.mesh);
     result.mesh.certified.assign(result.mesh.triangles.size(), 1);
     summarize(mesh, patches, result);

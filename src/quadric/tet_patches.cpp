@@ -3,6 +3,7 @@
 #include "tet_patches.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "border_regions.hpp"
 
@@ -42,6 +43,17 @@ std::optional<PatchMesh> mesh_patch(const QuadraticForm<double, 4>& form,
                          ? convex_chart(form, cut.cone, loops, holes_of(form, edges, cut, patch))
                          : ruled_chart(form, loops);
   return chart ? triangulate_patch(*chart, loops) : std::nullopt;
+}
+
+/// Less than charts in doubles can tell apart, as at a vertex that the surface misses by rounding.
+bool is_tiny(const TetLoop& loop) {
+  constexpr double kTiny = 0x1p-30;
+  return std::ranges::all_of(loop, [&](const TetPoint& x) {
+    double distance = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      distance = std::fmax(distance, std::fabs(x[i] - loop.front()[i]));
+    return distance < kTiny;
+  });
 }
 
 }  // namespace
@@ -95,7 +107,7 @@ void mesh_patches(const SimplexForm<4>& form, const CutMesh& mesh, const Sampled
       loops.push_back(faces.points_of(tet, tet.cut.loops[l]));
     if (auto found = mesh_patch(approx, edges, tet.cut, patch, loops))
       result = std::move(*found);
-    else if (last && loops.size() == 1)
+    else if (loops.size() == 1 && (last || is_tiny(loops[0])))
       result = triangulate_fan(loops[0]);
     else
       patches.complete = false;

@@ -21,7 +21,7 @@ struct TetPatches {
 std::vector<std::uint8_t> patches_of_feature(const SimplexForm<4>& form,
                                              const std::array<EdgeCut, 6>& edges, const TetCut& cut);
 
-/// Meshes them, patches of one loop that no chart holds as a fan only if `last`.
+/// Meshes them; patches of one loop that no chart holds as a fan, if `last` or if they are tiny.
 void mesh_patches(const SimplexForm<4>& form, const CutMesh& mesh, const SampledFaces& faces,
                   const CutTet& tet, int samples, bool last, TetPatches& patches);
 

@@ -8,6 +8,7 @@
 
 #include "form_fields.hpp"
 #include "lattice_topology.hpp"
+#include "random_quadrics.hpp"
 #include "triplex/arithmetic/root_isolation.hpp"
 #include "triplex/quadric/inertia.hpp"
 #include "triplex/quadric/tet_cut.hpp"
@@ -61,43 +62,6 @@ Totals totals_of(const TetCut& cut) {
 Totals totals_of(const QuadraticForm<double, 4>& form, int n) {
   const SurfaceTopology t = LatticeTopology(form, n).topology();
   return {t.components, t.boundary_loops, t.euler};
-}
-
-/// Random linear functions on the tet, as their values at the corners.
-TensorField random_quadric(std::mt19937& random, std::size_t plus, std::size_t minus) {
-  TensorField field = one_tet(kAroundOrigin);
-  std::vector<std::array<double, 4>> values(plus + minus);
-  for (auto& l : values) {
-    const int shift = std::uniform_int_distribution<int>(-12, 12)(random);
-    for (double& x : l) x = shift + std::uniform_int_distribution<int>(-20, 20)(random);
-  }
-  for (std::size_t v = 0; v < 4; ++v) {
-    std::vector<double> a, s;
-    for (std::size_t k = 0; k < values.size(); ++k) (k < plus ? a : s).push_back(values[k][v]);
-    field.tensors[v] = balanced_tensor(a, s);
-  }
-  return field;
-}
-
-/// Quadrics around a point inside the tet: many loops.
-TensorField random_central_quadric(std::mt19937& random, std::size_t plus) {
-  std::uniform_real_distribution<double> unit(-1, 1);
-  const Point center = {unit(random), unit(random), unit(random)};
-  std::array<Linear, 4> squares;
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::array<double, 3> d{unit(random) / 3, unit(random) / 3, unit(random) / 3};
-    d[k] += 1;
-    squares[k] = [=](const Point& x) {
-      double sum = 0;
-      for (std::size_t i = 0; i < 3; ++i) sum += d[i] * (x[i] - center[i]);
-      return sum;
-    };
-  }
-  const double radius = 5 + 12 * std::abs(unit(random));
-  squares[3] = [=](const Point&) { return radius; };
-  if (plus == 1)
-    return quadric_field(kAroundOrigin, {squares[3]}, {squares[0], squares[1], squares[2]});
-  return quadric_field(kAroundOrigin, {squares[0], squares[1]}, {squares[2], squares[3]});
 }
 
 /// Whether a lattice of n may miss something on an edge.
@@ -155,8 +119,6 @@ TEST(TetCut, TopologyOfCentralQuadrics) {
   EXPECT_GT(c.closed, 3);
   EXPECT_GT(c.ovals, 10);
   EXPECT_GT(c.by_loops[3] + c.by_loops[4], 10);
-  for (const auto& [what, count] : c.by_loops) printf("%d loops: %d\n", int(what), count);
-  printf("%d %d %d %d\n", c.compared, c.annuli, c.closed, c.ovals);
 }
 
 TEST(EdgeCut, AgreesWithRootIsolation) {
