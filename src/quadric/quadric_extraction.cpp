@@ -96,14 +96,6 @@ bool front_grows(const CutMesh& mesh, const CutTet& tet, const QuadricPatch& pat
   return false;
 }
 
-Point in_space(const TensorField& field, const CutTet& tet, const TetPoint& x) {
-  Point p{};
-  for (std::size_t k = 0; k < 4; ++k)
-    for (std::size_t i = 0; i < 3; ++i)
-      p[i] += x[k] * field.mesh.points[index(tet.vertices[k])][i];
-  return p;
-}
-
 /// The triangles of one tet, over the points of faces and then its own.
 void append_tet(const TensorField& field, const QuadricSurface& surface, const CutMesh& cuts,
                 const SampledFaces& faces, const CutTet& tet, const TetPatches& patches,
@@ -118,7 +110,9 @@ void append_tet(const TensorField& field, const QuadricSurface& surface, const C
     const bool turn = grows != should_grow;
     for (const TetPoint& x : patch.inner) {
       numbers.push_back(static_cast<std::uint32_t>(mesh.points.size()));
-      mesh.points.push_back(in_space(field, tet, x));
+      mesh.points.push_back(detail::combination(field, tet.vertices, x));
+      if (surface.kind == QuadricSurface::Kind::Balanced)
+        mesh.q.push_back(detail::determinant_approx(field, tet.vertices, x));
     }
     for (auto t : patch.triangles) {
       if (turn) std::swap(t[1], t[2]);
@@ -137,9 +131,11 @@ void compact(FeatureMesh& mesh) {
   for (std::size_t v = 0; v < number.size(); ++v) {
     if (number[v] == 0) continue;
     mesh.points[n] = mesh.points[v];
+    if (!mesh.q.empty()) mesh.q[n] = mesh.q[v];
     number[v] = n++;
   }
   mesh.points.resize(n);
+  if (!mesh.q.empty()) mesh.q.resize(n);
   for (auto& t : mesh.triangles)
     for (std::uint32_t& v : t) v = number[v];
 }
@@ -184,7 +180,7 @@ QuadricExtraction extract_quadric(const TensorField& field, const FeatureRow& fe
     choose_patches(field, *surface, mesh, patches);
     SampledFaces faces(field, *surface, mesh, options.samples);
     mesh_all(field, *surface, options, mesh, faces, patches);
-    result.mesh.points = faces.positions();
+    faces.place(result.mesh, surface->kind == QuadricSurface::Kind::Balanced);
     for (std::size_t t = 0; t < patches.size(); ++t)
       if (!patches[t].meshes.empty())
         append_tet(field, *surface, mesh, faces, mesh.tets[t], patches[t], result.mesh);

@@ -19,16 +19,6 @@ FacePoint on_face_edge(const CutMesh& mesh, const CutMeshFace& face, EdgeRoot ro
   return x;
 }
 
-template <std::size_t N>
-Point combination(const TensorField& field, const std::array<VertexId, N>& vertices,
-                  const std::array<double, N>& weights) {
-  Point x{};
-  for (std::size_t k = 0; k < N; ++k)
-    for (std::size_t i = 0; i < 3; ++i)
-      x[i] += weights[k] * field.mesh.points[index(vertices[k])][i];
-  return x;
-}
-
 }  // namespace
 
 SampledFaces::SampledFaces(const TensorField& field, const QuadricSurface& surface,
@@ -128,20 +118,26 @@ void SampledFaces::numbers_of(const CutTet& tet, const QuadricLoop& loop,
   walk(tet, loop, [&](std::uint32_t n, const TetPoint&) { to.push_back(n); });
 }
 
-std::vector<Point> SampledFaces::positions() const {
-  std::vector<Point> positions(size());
+void SampledFaces::place(FeatureMesh& mesh, bool with_q) const {
+  mesh.points.resize(size());
+  mesh.q.resize(with_q ? size() : 0);
   tbb::parallel_for(std::size_t{0}, mesh_->edges.size(), [&](std::size_t e) {
     const CutMeshEdge& edge = mesh_->edges[e];
-    for (std::size_t k = 0; k < edge.cut.roots; ++k)
-      positions[first_of_edge_[e] + k] = combination<2>(
-          *field_, edge.vertices, {1 - edge.cut.place[k], edge.cut.place[k]});
+    for (std::size_t k = 0; k < edge.cut.roots; ++k) {
+      const std::array<double, 2> x = {1 - edge.cut.place[k], edge.cut.place[k]};
+      const std::size_t n = first_of_edge_[e] + k;
+      mesh.points[n] = combination(*field_, edge.vertices, x);
+      if (with_q) mesh.q[n] = determinant_approx(*field_, edge.vertices, x);
+    }
   });
   tbb::parallel_for(std::size_t{0}, mesh_->faces.size(), [&](std::size_t f) {
-    for (std::size_t k = 0; k < points_[f].size(); ++k)
-      positions[first_of_face_[f] + k] =
-          combination<3>(*field_, mesh_->faces[f].vertices, points_[f][k]);
+    const auto& vertices = mesh_->faces[f].vertices;
+    for (std::size_t k = 0; k < points_[f].size(); ++k) {
+      const std::size_t n = first_of_face_[f] + k;
+      mesh.points[n] = combination(*field_, vertices, points_[f][k]);
+      if (with_q) mesh.q[n] = determinant_approx(*field_, vertices, points_[f][k]);
+    }
   });
-  return positions;
 }
 
 }  // namespace triplex::detail

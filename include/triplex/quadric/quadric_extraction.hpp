@@ -42,8 +42,8 @@ struct QuadricContact {
 };
 
 struct QuadricExtraction {
-  /// Points, triangles, source_cell and certified; the rest is empty. Oriented as the feature that
-  /// was asked for; of the balanced surface, both parts as the linear one.
+  /// Points, triangles, source_cell and certified; of the balanced surface q, in doubles; the rest
+  /// is empty. Oriented as the feature; both parts of the balanced surface as the linear one.
   FeatureMesh mesh;
   std::vector<QuadricPiece> pieces;      ///< tets that hold some, in the order of the mesh
   std::vector<QuadricContact> contacts;  ///< not meshed
@@ -64,12 +64,14 @@ struct QuadricExtraction {
 QuadricExtraction extract_quadric(const TensorField& field, const FeatureRow& feature,
                                   const QuadricOptions& options = {});
 
-/// The balanced surface cut into its linear (q > 0) and planar (q < 0) part. Not certified: q is
-/// evaluated in doubles at the points, and triangles on which it changes sign are cut along a
-/// straight line. Both parts have the same points, and meet along the cuts.
+/// The balanced surface cut into its linear (q > 0) and planar (q < 0) part. Not certified: the
+/// signs are those of q in doubles at the points, and triangles on which it changes sign are cut
+/// along a straight line, so the triple degenerate curve is as coarse as the mesh, and what of it
+/// lies within a triangle is missed. Both parts have one list of points and meet along the cuts.
+/// \throw std::invalid_argument for another surface.
 struct BalancedParts {
   FeatureMesh linear, planar;
 };
-BalancedParts split_balanced_approx(const TensorField& field, const QuadricExtraction& balanced);
+BalancedParts split_balanced_approx(const QuadricExtraction& balanced);
 
 }  // namespace triplex
