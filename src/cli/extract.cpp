@@ -101,7 +101,7 @@ void write_places(const Extraction& extraction, StagedDirectory& directory) {
 // The meshes first, the report last: where the report is, the set is complete.
 void write_results(const ExtractRequest& request, const TensorField& field,
                    const Extraction& extraction, const FeatureSummaries& summaries,
-                   StagedDirectory& directory, Steps& steps) {
+                   const QuadricChecks& quadrics, StagedDirectory& directory, Steps& steps) {
   const FeatureTable& table = extraction.table;
   for (const Feature f : reading_order(table.all())) {
     steps.progress.show("writing");
@@ -123,7 +123,8 @@ void write_results(const ExtractRequest& request, const TensorField& field,
   steps.timing.write = steps.step.lap();
   steps.timing.total = steps.total.lap();
   write_text_file(directory.stage("report.json"),
-                  make_report(request, field, extraction, summaries, steps.timing).dump(2) + "\n");
+                  make_report(request, field, extraction, summaries, quadrics, steps.timing).dump(2) +
+                      "\n");
   directory.commit();
 }
 
@@ -136,10 +137,18 @@ ExitCode run_extract(const ExtractRequest& request) {
   steps.progress.show("topology");
   const FeatureSummaries summaries = summarize(extraction);
   steps.timing.topology = steps.step.lap();
-  write_results(request, field, extraction, summaries, directory, steps);
+  QuadricChecks quadrics;
+  if (request.verify_quadrics) {
+    steps.progress.show("quadrics");
+    quadrics = check_quadrics(field, extraction, request.effort.threads);
+    steps.timing.quadrics = steps.step.lap();
+    throw_if_interrupted();
+  }
+  write_results(request, field, extraction, summaries, quadrics, directory, steps);
   steps.progress.clear();
   fmt::print("{}", describe_reading(field.split, repairs));
-  fmt::print("{}", make_table(extraction, summaries));
+  fmt::print("{}{}", make_table(extraction, summaries), quadrics_lines(quadrics));
+  if (!all_agree(quadrics)) return ExitCode::Fault;
   return extraction.certified() ? ExitCode::Certified : ExitCode::Unresolved;
 }
 
@@ -198,6 +207,9 @@ void add_extract(CLI::App& program, Action& action) {
       "Take the symmetric parts of the tensors; their degenerate features are curves");
   command->add_flag("--domains", request->domains,
                     "Also domains.vtu: the domain cut by all pages into cells");
+  command->add_flag("--verify-quadrics", request->verify_quadrics,
+                    "Find balanced, magnitude, isotropicity and traceless surfaces again as quadrics "
+                    "of each tet, and compare");
   add_periodic_option(*command, request->periodic,
                       "Opposite sides across these axes are one; their tensors must be equal");
   add_effort_options(*command, request->effort);
@@ -211,7 +223,8 @@ void add_extract(CLI::App& program, Action& action) {
       "DIR gets one file per feature (empty ones too), nodes.vtp, features.vtpc for all of them, "
       "and report.json.");
   command->callback([request, formats, &action] {
-    resolve(request->features);  // what is wrong with it is better known before the work
+    const RequestedFeatures requested = resolve(request->features);  // wrong ones: before the work
+    if (request->verify_quadrics) require_quadrics(requested);
     check_array_names(request->arrays);
     parse_axes(request->periodic);
     if (!formats->empty()) request->formats = parse_formats(*formats);

@@ -54,6 +54,7 @@ Json options_json(const ExtractRequest& request, const Extraction& extraction) {
                {"periodic", request.periodic},
                {"symmetric", request.symmetric},
                {"domains", request.domains},
+               {"verify_quadrics", request.verify_quadrics},
                {"max_bisections", extraction.refinement.max_bisections},
                {"threads", request.effort.threads},
                {"tensor", request.reading.tensor_name},
@@ -186,7 +187,7 @@ FeatureSummaries summarize(const Extraction& extraction) {
 
 Json make_report(const ExtractRequest& request, const TensorField& field,
                  const Extraction& extraction, const FeatureSummaries& summaries,
-                 const StepTiming& timing) {
+                 const QuadricChecks& quadrics, const StepTiming& timing) {
   const CertificateCounts& proofs = extraction.certificates;
   const RefinementStatistics& refinement = extraction.refinement;
   const SignStages& stages = extraction.sign_stages;
@@ -208,6 +209,7 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
   if (extraction.curves != 0) report["symmetric"] = {{"shifted", extraction.curves_shifted}};
   report["features"] = features_json(extraction, summaries);
   if (request.domains) report["domains"] = domains_json(extraction.domains);
+  if (request.verify_quadrics) report["quadrics"] = quadrics_json(field, quadrics);
   report["nodes"] = nodes_json(extraction);
   report["nodes_undecided"] = nodes_undecided_json(field, extraction);
   report["identical"] = identical_json(extraction.identical);
@@ -221,6 +223,7 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
                         {"topology", timing.topology},
                         {"write", timing.write},
                         {"total", timing.total}};
+  if (request.verify_quadrics) report["timing_s"]["quadrics"] = timing.quadrics;
   if (extraction.curves != 0) report["timing_s"]["curves"] = extraction.timing.curves_s;
   const auto memory = resident_memory();
   report["peak_memory_bytes"] = memory ? Json(memory->peak) : Json(nullptr);

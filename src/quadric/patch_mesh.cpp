@@ -235,7 +235,7 @@ PatchMesh triangulate_ellipsoid(const QuadraticForm<double, 4>& form, int rate) 
       for (const int sz : {1, -1}) {
         const auto at = [&](int i, int j) { return vertex(sx * i, sy * j, sz * (rate - i - j)); };
         const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t d) {
-          if (sx * sy * sz > 0)
+          if (sx * sy * sz < 0)  // the basis e_i - e_3 is a left-handed one
             mesh.triangles.push_back({a, b, d});
           else
             mesh.triangles.push_back({a, d, b});
