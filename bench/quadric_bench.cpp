@@ -50,8 +50,13 @@ void isotropicity(benchmark::State& state) {
   run(state, table.row(table.add_isotropicity(0.1)));
 }
 
-#define QUADRIC_BENCH(name) \
-  BENCHMARK(name)->Args({63, 2, 0})->Args({63, 4, 0})->Args({63, 4, 1})->Unit(benchmark::kMillisecond)->UseRealTime()
+#define QUADRIC_BENCH(name)           \
+  BENCHMARK(name)                     \
+      ->Args({63, 2, 0})              \
+      ->Args({63, 4, 0})              \
+      ->Args({63, 4, 1})              \
+      ->Unit(benchmark::kMillisecond) \
+      ->UseRealTime()
 QUADRIC_BENCH(balanced);
 QUADRIC_BENCH(magnitude);
 QUADRIC_BENCH(isotropicity);

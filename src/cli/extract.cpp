@@ -122,9 +122,9 @@ void write_results(const ExtractRequest& request, const TensorField& field,
   write_places(extraction, directory);
   steps.timing.write = steps.step.lap();
   steps.timing.total = steps.total.lap();
-  write_text_file(directory.stage("report.json"),
-                  make_report(request, field, extraction, summaries, quadrics, steps.timing).dump(2) +
-                      "\n");
+  write_text_file(
+      directory.stage("report.json"),
+      make_report(request, field, extraction, summaries, quadrics, steps.timing).dump(2) + "\n");
   directory.commit();
 }
 
@@ -207,9 +207,10 @@ void add_extract(CLI::App& program, Action& action) {
       "Take the symmetric parts of the tensors; their degenerate features are curves");
   command->add_flag("--domains", request->domains,
                     "Also domains.vtu: the domain cut by all pages into cells");
-  command->add_flag("--verify-quadrics", request->verify_quadrics,
-                    "Find balanced, magnitude, isotropicity and traceless surfaces again as quadrics "
-                    "of each tet, and compare");
+  command->add_flag(
+      "--verify-quadrics", request->verify_quadrics,
+      "Find balanced, magnitude, isotropicity and traceless surfaces again as quadrics "
+      "of each tet, and compare");
   add_periodic_option(*command, request->periodic,
                       "Opposite sides across these axes are one; their tensors must be equal");
   add_effort_options(*command, request->effort);

@@ -70,8 +70,8 @@ QuadricChecks check_quadrics(const TensorField& field, const Extraction& extract
   QuadricChecks checks;
   const FeatureTable& table = extraction.table;
   if ((extraction.requested & kBalanced) == kBalanced) {
-    const MergedMesh balanced = merged(extraction.mesh(Feature::BalancedLinear),
-                                       extraction.mesh(Feature::BalancedPlanar));
+    const MergedMesh balanced =
+        merged(extraction.mesh(Feature::BalancedLinear), extraction.mesh(Feature::BalancedPlanar));
     std::vector<std::int64_t> open = open_cells(extraction, kBalanced);
     open.insert(open.end(), balanced.ambiguous.begin(), balanced.ambiguous.end());
     checks.push_back(
@@ -79,8 +79,8 @@ QuadricChecks check_quadrics(const TensorField& field, const Extraction& extract
     checks.back().name = "balanced";
   }
   for (const Feature f : reading_order(extraction.requested & table.level_sets()))
-    checks.push_back(check(field, table.row(f), extraction.mesh(f),
-                           open_cells(extraction, bit(f)), threads));
+    checks.push_back(
+        check(field, table.row(f), extraction.mesh(f), open_cells(extraction, bit(f)), threads));
   return checks;
 }
 
@@ -93,8 +93,8 @@ Json quadrics_json(const TensorField& field, const QuadricChecks& checks) {
   for (const QuadricCheck& c : checks) {
     const auto listed = [](const std::vector<std::int64_t>& cells) {
       return std::vector<std::int64_t>(
-          cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(
-                                             std::min(kMaxListed, cells.size())));
+          cells.begin(),
+          cells.begin() + static_cast<std::ptrdiff_t>(std::min(kMaxListed, cells.size())));
     };
     Json contacts = Json::array();
     for (const QuadricContact& contact : c.quadrics.contacts) {

@@ -38,7 +38,8 @@ inline EdgeRoot in_tet(int face, EdgeRoot r) {
   return {static_cast<std::uint8_t>(kEdgesOfFaces[static_cast<std::size_t>(face)][r.edge]), r.root};
 }
 
-/// A positive multiple of the centre of a conic, as a point of its tet. \pre it lies inside the face.
+/// A positive multiple of the centre of a conic, as a point of its tet. \pre it lies inside the
+/// face.
 template <class NT>
 std::array<NT, 4> oval_center(const QuadraticForm<NT, 4>& f, int face) {
   const auto& vertices = kTetFaces[static_cast<std::size_t>(face)];
@@ -56,8 +57,7 @@ template <class NT>
 std::array<NT, 4> place_in_cone(const QuadraticForm<NT, 4>& f, const std::array<EdgeCut, 6>& edges,
                                 const QuadricLoop& loop, Sign cone) {
   if (loop.is_oval()) {
-    const Sign around =
-        edges[static_cast<std::size_t>(kEdgesOfFaces[loop.oval_face][0])].ends[0];
+    const Sign around = edges[static_cast<std::size_t>(kEdgesOfFaces[loop.oval_face][0])].ends[0];
     if (around != cone) return oval_center(f, loop.oval_face);
     return Representative{kTetFaces[loop.oval_face][0], -1}.place(f, around);
   }

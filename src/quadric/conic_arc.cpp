@@ -51,12 +51,14 @@ void polish(const QuadraticForm<double, 3>& f, FacePoint& x) {
   for (int i = 0; i < 3; ++i) x[i] -= value / (2 * square) * g[i];
 }
 
-bool inside(const FacePoint& x) { return std::ranges::all_of(x, [](double c) { return c > 0; }); }
+bool inside(const FacePoint& x) {
+  return std::ranges::all_of(x, [](double c) { return c > 0; });
+}
 
 }  // namespace
 
-std::vector<FacePoint> sample_arc_approx(const QuadraticForm<double, 3>& form, const FacePoint& from,
-                                         const FacePoint& to, int n) {
+std::vector<FacePoint> sample_arc_approx(const QuadraticForm<double, 3>& form,
+                                         const FacePoint& from, const FacePoint& to, int n) {
   const FacePoint c = control_point(form, from, to);
   std::vector<FacePoint> points;
   for (int k = 1; k < n; ++k) {

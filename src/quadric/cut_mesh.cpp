@@ -16,7 +16,8 @@ bool is_empty_by_filter(const TensorField& field, const QuadricSurface& surface,
                         const std::array<VertexId, 4>& v) {
   double magnitude = 0;
   for (const VertexId vertex : v)
-    for (const double x : field.tensors[index(vertex)]) magnitude = std::fmax(magnitude, std::fabs(x));
+    for (const double x : field.tensors[index(vertex)])
+      magnitude = std::fmax(magnitude, std::fabs(x));
   const double error = quadric_polar_error(surface, magnitude);
   bool positive = true, negative = true;
   for (std::size_t i = 0; i < 4; ++i)
@@ -92,7 +93,7 @@ void cut_edges(const TensorField& field, const QuadricSurface& surface, CutMesh&
                         t.vertices[kTetEdges[e][1]]);
         return k;
       },
-      [](CutTet& t) -> auto& { return t.edges; });
+      [](CutTet & t) -> auto& { return t.edges; });
   mesh.edges.resize(keys.size());
   tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t e) {
     CutMeshEdge& edge = mesh.edges[e];
@@ -112,7 +113,7 @@ void cut_faces(const TensorField& field, const QuadricSurface& surface, CutMesh&
           k[f] = key_of(t.edges[kEdgesOfFaces[f][0]], t.vertices[kTetFaces[f][2]]);
         return k;
       },
-      [](CutTet& t) -> auto& { return t.faces; });
+      [](CutTet & t) -> auto& { return t.faces; });
   mesh.faces.resize(keys.size());
   for (const CutTet& t : mesh.tets)
     for (std::size_t f = 0; f < 4; ++f)
@@ -122,8 +123,8 @@ void cut_faces(const TensorField& field, const QuadricSurface& surface, CutMesh&
     CutMeshFace& face = mesh.faces[f];
     const auto& first = mesh.edges[face.edges[0]].vertices;
     face.vertices = {first[0], first[1], mesh.edges[face.edges[1]].vertices[1]};
-    face.cut = cut_face(SimplexForm<3>(surface, field, face.vertices),
-                        cuts_of<3>(mesh.edges, face.edges));
+    face.cut =
+        cut_face(SimplexForm<3>(surface, field, face.vertices), cuts_of<3>(mesh.edges, face.edges));
   });
 }
 

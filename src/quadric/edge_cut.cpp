@@ -75,8 +75,8 @@ EdgeCut cut_edge(const SimplexForm<2>& form) {
   if (cut.ends[0] != cut.ends[1]) {
     cut.roots = 1;
   } else if (form.sign_of([](const auto& f) { return f(0, 1); }) == -cut.ends[0]) {
-    const Sign d = form.sign_of(
-        [](const auto& f) { return f(0, 1) * f(0, 1) - f(0, 0) * f(1, 1); });
+    const Sign d =
+        form.sign_of([](const auto& f) { return f(0, 1) * f(0, 1) - f(0, 0) * f(1, 1); });
     cut.transverse = d != Sign::Zero;
     cut.roots = d == Sign::Positive ? 2 : 0;
   }

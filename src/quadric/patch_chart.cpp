@@ -191,8 +191,9 @@ std::vector<PlanePoint> PatchChart::samples(
       }
     }
   // rows of equilateral triangles; at most as many points as the square of the border's
-  const double spacing = std::fmax(length / static_cast<double>(n),
-                                   std::fmax(hi[0] - lo[0], hi[1] - lo[1]) / static_cast<double>(n));
+  const double spacing =
+      std::fmax(length / static_cast<double>(n),
+                std::fmax(hi[0] - lo[0], hi[1] - lo[1]) / static_cast<double>(n));
   std::vector<PlanePoint> r;
   if (!(spacing > 0)) return r;
   constexpr double kRow = 0.8660254037844386;

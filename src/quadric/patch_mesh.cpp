@@ -20,10 +20,9 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<
     Kernel, CGAL::Triangulation_face_base_with_info_2<std::int8_t, Kernel>>;
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel,
-                                               CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-                                               CGAL::No_constraint_intersection_tag>;
+using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+    CGAL::No_constraint_intersection_tag>;
 using Loops = std::vector<std::vector<PlanePoint>>;
 
 /// Even-odd, and not near a point of a loop: nearer than half the length of the edges there.
@@ -139,8 +138,8 @@ struct Border {
 };
 
 /// Divides such edges in their middle, so that neighbours share nothing but their common arcs.
-void divide_chords(const PatchChart& chart, const Border& border,
-                   const std::vector<TetLoop>& loops, PatchMesh& mesh) {
+void divide_chords(const PatchChart& chart, const Border& border, const std::vector<TetLoop>& loops,
+                   PatchMesh& mesh) {
   const auto point = [&](std::uint32_t n) {
     std::size_t l = 0;
     while (n >= loops[l].size()) n -= static_cast<std::uint32_t>(loops[l++].size());
@@ -202,8 +201,7 @@ std::optional<PatchMesh> triangulate_patch(const PatchChart& chart,
   mark_region(t);
   for (const auto f : t.finite_face_handles())
     if (f->info() == 1)
-      mesh.triangles.push_back(
-          {f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+      mesh.triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
   if (!is_one_region(mesh, loops)) return std::nullopt;
   divide_chords(chart, Border(loops, flat), loops, mesh);
   return mesh;

@@ -70,7 +70,8 @@ QuadraticForm<double, N> form_approx(const SimplexForm<N>& form) {
   const auto& exact = form.exact().entries;
   std::optional<int> exponent;
   for (const Exact& x : exact)
-    if (sign(x) != Sign::Zero) exponent = std::max(exponent.value_or(INT32_MIN), binary_exponent(x));
+    if (sign(x) != Sign::Zero)
+      exponent = std::max(exponent.value_or(INT32_MIN), binary_exponent(x));
   for (std::size_t n = 0; n < exact.size(); ++n)
     r.entries[n] = sign(exact[n]) == Sign::Zero ? 0 : to_double_approx(exact[n], -*exponent);
   return r;

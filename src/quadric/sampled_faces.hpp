@@ -7,8 +7,8 @@
 
 #include "conic_arc.hpp"
 #include "cut_mesh.hpp"
-#include "triplex/feature/feature_mesh.hpp"
 #include "patch_chart.hpp"
+#include "triplex/feature/feature_mesh.hpp"
 
 namespace triplex::detail {
 
@@ -64,9 +64,9 @@ class SampledFaces {
   const TensorField* field_;
   QuadricSurface surface_;
   const CutMesh* mesh_;
-  std::vector<std::uint16_t> rate_;              // per face: segments of an arc
-  std::vector<std::uint8_t> changed_;            // per face
-  std::vector<std::vector<FacePoint>> points_;   // per face: arc by arc
+  std::vector<std::uint16_t> rate_;             // per face: segments of an arc
+  std::vector<std::uint8_t> changed_;           // per face
+  std::vector<std::vector<FacePoint>> points_;  // per face: arc by arc
   std::vector<std::uint32_t> first_of_edge_, first_of_face_;
 };
 

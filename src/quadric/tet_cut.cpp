@@ -79,7 +79,8 @@ class ConvexPatches {
       for (std::size_t k = 0; k < n; ++k) {
         if (second[k] != half) continue;
         const std::uint32_t region = outside.find(sides[k].other);
-        auto found = std::ranges::find(patch_of, region, &std::pair<std::uint32_t, std::size_t>::first);
+        auto found =
+            std::ranges::find(patch_of, region, &std::pair<std::uint32_t, std::size_t>::first);
         if (found == patch_of.end()) {
           patch_of.emplace_back(region, cut_.patches.size());
           found = patch_of.end() - 1;
@@ -108,10 +109,10 @@ class ConvexPatches {
   }
 
   bool same_cone(const QuadricLoop& a, const QuadricLoop& b) const {
-    return form_.sign_of([&](const auto& f) { 
-             return bilinear(f, detail::place_in_cone(f, edges_, a, cut_.cone),
-                             detail::place_in_cone(f, edges_, b, cut_.cone));
-           }) == cut_.cone;
+    return form_.sign_of([&](const auto& f) {
+      return bilinear(f, detail::place_in_cone(f, edges_, a, cut_.cone),
+                      detail::place_in_cone(f, edges_, b, cut_.cone));
+    }) == cut_.cone;
   }
 
   const SimplexForm<4>& form_;
@@ -126,8 +127,8 @@ void saddle_patches(const SimplexForm<4>& form, const std::array<EdgeCut, 6>& ed
     bool annulus = true;
     for (const QuadricLoop& loop : cut.loops)
       for (const LoopArc& arc : loop.arcs)
-        annulus = annulus &&
-                  detail::both_rulings_enter(form.exact(), edges[arc.start.edge], arc.start);
+        annulus =
+            annulus && detail::both_rulings_enter(form.exact(), edges[arc.start.edge], arc.start);
     if (annulus) {
       cut.patches.push_back({QuadricPatch::Kind::Annulus, {0, 1}});
       return;

@@ -19,7 +19,8 @@ struct TetPatches {
 /// The patches on which the trace has the sign of an isotropicity; all of the other kinds.
 /// Guarantee: exact.
 std::vector<std::uint8_t> patches_of_feature(const SimplexForm<4>& form,
-                                             const std::array<EdgeCut, 6>& edges, const TetCut& cut);
+                                             const std::array<EdgeCut, 6>& edges,
+                                             const TetCut& cut);
 
 /// Meshes them; patches of one loop that no chart holds as a fan, if `last` or if they are tiny.
 void mesh_patches(const SimplexForm<4>& form, const CutMesh& mesh, const SampledFaces& faces,

@@ -103,8 +103,8 @@ struct Comparison {
 TEST(TetCut, TopologyOfRandomQuadrics) {
   std::mt19937 random(3);
   Comparison c;
-  for (const auto& [plus, minus] : {std::pair<std::size_t, std::size_t>{1, 3}, {3, 1}, {2, 2},
-                                    {1, 2}, {2, 1}, {1, 1}})
+  for (const auto& [plus, minus] :
+       {std::pair<std::size_t, std::size_t>{1, 3}, {3, 1}, {2, 2}, {1, 2}, {2, 1}, {1, 1}})
     for (int n = 0; n < 150; ++n) c.add(random_quadric(random, plus, minus));
   EXPECT_GT(c.compared, 400);
   EXPECT_GT(c.by_loops[2], 20);
@@ -131,7 +131,8 @@ TEST(EdgeCut, AgreesWithRootIsolation) {
     const SimplexForm<2> form({}, field, {VertexId(0), VertexId(1)});
     const EdgeCut cut = cut_edge(form);
     RootIsolation oracle(std::span<const Exact>(form.exact().entries));
-    bool transverse = sign(form.exact()(0, 0)) != Sign::Zero && sign(form.exact()(1, 1)) != Sign::Zero;
+    bool transverse =
+        sign(form.exact()(0, 0)) != Sign::Zero && sign(form.exact()(1, 1)) != Sign::Zero;
     for (const RootInterval& r : oracle.roots()) transverse = transverse && r.multiplicity == 1;
     ASSERT_EQ(cut.transverse, transverse);
     tangent += !transverse;

@@ -14,7 +14,8 @@ namespace triplex::test {
 class LatticeTopology {
  public:
   LatticeTopology(const QuadraticForm<double, 4>& f, int n) : f_(f), n_(n) {
-    constexpr int kOrders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    constexpr int kOrders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
+                                   {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
     for (int x = 0; x < n; ++x)
       for (int y = 0; y <= x; ++y)
         for (int z = 0; z <= y; ++z)
@@ -38,7 +39,8 @@ class LatticeTopology {
   using Node = std::array<int, 3>;  // n >= x >= y >= z >= 0
 
   bool positive(const Node& p) const {
-    const std::array<double, 4> b = {static_cast<double>(n_ - p[0]), static_cast<double>(p[0] - p[1]),
+    const std::array<double, 4> b = {static_cast<double>(n_ - p[0]),
+                                     static_cast<double>(p[0] - p[1]),
                                      static_cast<double>(p[1] - p[2]), static_cast<double>(p[2])};
     return bilinear(f_, b, b) > 0;
   }

@@ -93,10 +93,11 @@ TEST(Patches, EveryTypeWithASurface) {
   expect_quadric({u(0.5, .125, .25, 1)}, {u(0.5, .125, .25, -1)}, {SinglePlane, 1, 1});
   expect_quadric({u(0.5, .125, .25, 1)}, {u(0.5, .125, .25, -1), u(.375, 1, 0, 1)},
                  {ParabolicCylinder, 1, 1});
-  expect_quadric({u(0.5, .125, .25, 1)}, {u(0.5, .125, .25, -1), u(.375, 1, 0, 1), u(0, 0.125, 1, 1)},
+  expect_quadric({u(0.5, .125, .25, 1)},
+                 {u(0.5, .125, .25, -1), u(.375, 1, 0, 1), u(0, 0.125, 1, 1)},
                  {EllipticParaboloid, 1, 1});
-  expect_quadric({u(0.5, .125, .25, 1), u(0, 0.125, 1, 1)}, {u(0.5, .125, .25, -1), u(.375, 1, 0, 1)},
-                 {HyperbolicParaboloid, 1, 1});
+  expect_quadric({u(0.5, .125, .25, 1), u(0, 0.125, 1, 1)},
+                 {u(0.5, .125, .25, -1), u(.375, 1, 0, 1)}, {HyperbolicParaboloid, 1, 1});
 }
 
 TEST(Patches, RandomCentralQuadrics) {
@@ -116,8 +117,8 @@ TEST(Patches, RandomCentralQuadrics) {
 
 TEST(Patches, RandomQuadrics) {
   std::mt19937 random(7);
-  for (const auto& [plus, minus] : {std::pair<std::size_t, std::size_t>{1, 3}, {3, 1}, {2, 2},
-                                    {1, 2}, {2, 1}, {1, 1}})
+  for (const auto& [plus, minus] :
+       {std::pair<std::size_t, std::size_t>{1, 3}, {3, 1}, {2, 2}, {1, 2}, {2, 1}, {1, 1}})
     for (int n = 0; n < 300; ++n) {
       const QuadricExtraction e = balanced(random_quadric(random, plus, minus), 2 + n % 4);
       expect_faithful(e);
@@ -129,8 +130,7 @@ TEST(Patches, RandomQuadrics) {
 }
 
 TEST(Patches, AreaOfASphere) {
-  const TensorField field =
-      quadric_field(kAroundOrigin, {times(3, one_of)}, {x_of, y_of, z_of});
+  const TensorField field = quadric_field(kAroundOrigin, {times(3, one_of)}, {x_of, y_of, z_of});
   double last = 0;
   for (const int samples : {4, 8, 16, 32}) {
     const QuadricExtraction e = balanced(field, samples);

@@ -55,7 +55,8 @@ QuadraticForm<Exact, 4> on_tet(const NormalForm& normal, const Matrix& corners, 
       Exact sum(0);
       for (int k = 0; k < 4; ++k)
         sum = sum + Exact(normal.diagonal[k]) * Exact(2 * corners[i][k] * corners[j][k]);
-      sum = sum + Exact(normal.zw * (corners[i][2] * corners[j][3] + corners[i][3] * corners[j][2]));
+      sum =
+          sum + Exact(normal.zw * (corners[i][2] * corners[j][3] + corners[i][3] * corners[j][2]));
       f(i, j) = Exact(factor) * sum;
     }
   return f;
@@ -102,9 +103,8 @@ TEST(Inertia, AgreesWithTheCharacteristicPolynomial) {
     const int range = n % 4 == 0 ? 1 : 3;
     for (int i = 0; i < 4; ++i)
       for (int j = i; j < 4; ++j)
-        m[i][j] = m[j][i] = (n % 3 == 0 && i == j)
-                                ? 0
-                                : std::uniform_int_distribution<int>(-range, range)(random);
+        m[i][j] = m[j][i] =
+            (n % 3 == 0 && i == j) ? 0 : std::uniform_int_distribution<int>(-range, range)(random);
     QuadraticForm<Exact, 4> f;
     for (int i = 0; i < 4; ++i)
       for (int j = i; j < 4; ++j) f(i, j) = Exact(static_cast<double>(m[i][j]));

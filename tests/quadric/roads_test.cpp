@@ -53,8 +53,7 @@ std::uint64_t compare_roads(const TensorField& field, const FeatureTable& table)
     open.insert(open.end(), ambiguous.begin(), ambiguous.end());
     const QuadricExtraction quadrics = extract_quadric(field, row);
     EXPECT_TRUE(quadrics.unmeshed.empty()) << row.name;
-    const QuadricComparison c =
-        compare_quadrics(field, quadrics, mesh, open);
+    const QuadricComparison c = compare_quadrics(field, quadrics, mesh, open);
     EXPECT_TRUE(c.agree()) << row.name << ": " << c.differing.size() << " of " << c.compared
                            << " differ, " << c.left_out << " left out; " << c.quadrics.components
                            << "," << c.quadrics.euler << "," << c.quadrics.boundary_loops << " vs "
@@ -170,11 +169,10 @@ TEST(Quadrics, RelabelledFieldsHaveTheSameTopology) {
 TEST(Quadrics, LorenzIsOnItsClosedForm) {
   GridOptions grid;
   grid.n = 8;
-  const QuadricExtraction e = extract_quadric(
-      generate_lorenz(grid), standard_features().row(Feature::BalancedLinear));
+  const QuadricExtraction e =
+      extract_quadric(generate_lorenz(grid), standard_features().row(Feature::BalancedLinear));
   ASSERT_GT(e.mesh.points.size(), 1000u);
-  for (const Point& x : e.mesh.points)
-    EXPECT_NEAR(x[0] * x[0] + 10 * x[2], 8179.0 / 27, 1e-9);
+  for (const Point& x : e.mesh.points) EXPECT_NEAR(x[0] * x[0] + 10 * x[2], 8179.0 / 27, 1e-9);
 }
 
 TEST(Quadrics, PartsOfTheBalancedSurface) {

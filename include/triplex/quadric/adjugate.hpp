@@ -15,7 +15,9 @@ namespace detail {
 template <class NT, int N, std::size_t K>
 NT minor_of(const QuadraticForm<NT, N>& f, const std::array<int, K>& rows,
             const std::array<int, K>& columns) {
-  const auto two = [&](int i, int j, int k, int l) { return f(i, k) * f(j, l) - f(i, l) * f(j, k); };
+  const auto two = [&](int i, int j, int k, int l) {
+    return f(i, k) * f(j, l) - f(i, l) * f(j, k);
+  };
   if constexpr (K == 2) {
     return two(rows[0], rows[1], columns[0], columns[1]);
   } else {
@@ -56,7 +58,8 @@ NT determinant(const QuadraticForm<NT, N>& f, const QuadraticForm<NT, N>& adjuga
   return sum;
 }
 
-/// The pole of the plane at infinity, adj(F) (1, ..., 1): a multiple of the centre, if there is one.
+/// The pole of the plane at infinity, adj(F) (1, ..., 1): a multiple of the centre, if there is
+/// one.
 template <class NT, int N>
 std::array<NT, N> center(const QuadraticForm<NT, N>& adjugate_of_f) {
   std::array<NT, N> c;

@@ -21,10 +21,9 @@ struct QuadricComparison {
   /// Nothing was left out: then the two must agree as a whole, too.
   bool complete() const { return left_out == 0; }
   bool agree() const {
-    return differing.empty() &&
-           (!complete() ||
-            (quadrics.components == mesh.components && quadrics.euler == mesh.euler &&
-             quadrics.boundary_loops == mesh.boundary_loops));
+    return differing.empty() && (!complete() || (quadrics.components == mesh.components &&
+                                                 quadrics.euler == mesh.euler &&
+                                                 quadrics.boundary_loops == mesh.boundary_loops));
   }
 };
 
@@ -42,7 +41,8 @@ struct MergedMesh {
 
 /// Two meshes as one, with a point of each as one where they have the same coordinates: the linear
 /// and planar part of a surface, which share their common curve. Where more than two points
-/// coincide (the curve passes within rounding of a vertex) they stay apart, and the cells are named.
+/// coincide (the curve passes within rounding of a vertex) they stay apart, and the cells are
+/// named.
 MergedMesh merged(const FeatureMesh& a, const FeatureMesh& b);
 
 }  // namespace triplex
