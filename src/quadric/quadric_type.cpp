@@ -72,6 +72,15 @@ QuadricType quadric_type(const Inertia& form, const Inertia& at_infinity) {
 }
 
 QuadricType quadric_type(const SimplexForm<4>& form) {
+  if (form.surface().kind == QuadricSurface::Kind::Traceless) {
+    // (tr T)(sum x): a plane if the trace differs at two vertices, else one sign or none
+    for (int v = 1; v < 4; ++v)
+      if (form.sign_of([&](const auto& f) { return f(v, v) - f(0, 0); }) != Sign::Zero)
+        return QuadricType::SinglePlane;
+    return form.sign_of([](const auto& f) { return f(0, 0); }) == Sign::Zero
+               ? QuadricType::Everything
+               : QuadricType::Empty;
+  }
   const auto whole = form.decide([](const auto& f) { return inertia(f); });
   const auto infinite = form.decide([](const auto& f) { return inertia(at_infinity(f)); });
   return quadric_type(whole, infinite);

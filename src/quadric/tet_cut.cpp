@@ -175,7 +175,10 @@ TetCut cut_tet(const SimplexForm<4>& form, const std::array<EdgeCut, 6>& edges,
     }
   }
   if (cut.loops.empty()) return cut;
-  cut.cone = cone_sign(form.decide([](const auto& f) { return inertia(f); }));
+  // tr(T) times the plane at infinity: one square of each sign
+  cut.cone = form.surface().kind == QuadricSurface::Kind::Traceless
+                 ? Sign::Positive
+                 : cone_sign(form.decide([](const auto& f) { return inertia(f); }));
   if (cut.cone == Sign::Zero)
     saddle_patches(form, edges, cut);
   else

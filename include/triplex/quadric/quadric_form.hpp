@@ -124,8 +124,8 @@ class SimplexForm {
   const QuadricSurface& surface() const { return surface_; }
   const TensorField& field() const { return *field_; }
   const std::array<VertexId, N>& vertices() const { return vertices_; }
-  const QuadraticForm<Interval, N>& enclosure() const { return enclosure_; }
-  const QuadraticForm<Exact, N>& exact() const {
+  const QuadraticForm<Interval, N>& enclosure() const& { return enclosure_; }
+  const QuadraticForm<Exact, N>& exact() const& {
     if (!exact_) exact_ = evaluate<Exact>();
     return *exact_;
   }
