@@ -59,7 +59,7 @@ void mesh_all(const TensorField& field, const QuadricSurface& surface,
     if (open.empty()) return;
     faces.refine(open);
     todo = faces.changed_tets();
-    if (round + 1 == kRounds) todo.insert(todo.end(), open.begin(), open.end());
+    todo.insert(todo.end(), open.begin(), open.end());
     std::ranges::sort(todo);
     todo.erase(std::unique(todo.begin(), todo.end()), todo.end());
   }
