@@ -25,9 +25,9 @@ TEST(VerifyQuadrics, AgreementIsReported) {
   const TemporaryDirectory directory;
   const std::string field = generated(directory, "abc", "8");
   const auto out = directory / "out";
-  const Outcome outcome = run({"extract", field, "-o", out.string(), "--features",
-                               "balanced-linear,balanced-planar", "--magnitude", "1.41",
-                               "--verify-quadrics"});
+  const Outcome outcome =
+      run({"extract", field, "-o", out.string(), "--features", "balanced-linear,balanced-planar",
+           "--magnitude", "1.41", "--verify-quadrics"});
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out, HasSubstr("quadrics of balanced: "));
   EXPECT_THAT(outcome.out, HasSubstr("quadrics of magnitude-1.41: "));
