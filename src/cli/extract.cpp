@@ -128,7 +128,8 @@ void write_places(const Extraction& extraction, StagedDirectory& directory) {
 // The meshes first, the report last: where the report is, the set is complete.
 void write_results(const ExtractRequest& request, const TensorField& field,
                    const Extraction& extraction, const FeatureSummaries& summaries,
-                   const JointResults& joint, StagedDirectory& directory, Steps& steps) {
+                   const QuadricChecks& quadrics, const JointResults& joint,
+                   StagedDirectory& directory, Steps& steps) {
   const FeatureTable& table = extraction.table;
   for (const Feature f : reading_order(table.all())) {
     steps.progress.show("writing");
@@ -152,7 +153,7 @@ void write_results(const ExtractRequest& request, const TensorField& field,
   steps.timing.write = steps.step.lap();
   steps.timing.total = steps.total.lap();
   nlohmann::ordered_json report =
-      make_report(request, field, extraction, summaries, steps.accuracy, steps.timing);
+      make_report(request, field, extraction, summaries, steps.accuracy, quadrics, steps.timing);
   add_to_report(joint, table, report);
   write_text_file(directory.stage("report.json"), report.dump(2) + "\n");
   directory.commit();
@@ -164,17 +165,25 @@ ExitCode run_extract(const ExtractRequest& request) {
   const TensorField field = read_checked(request, repairs, steps);
   StagedDirectory directory(request.directory);  // before the long part: it may be unwritable
   Extraction extraction = extract_with_progress(field, request, steps);
+  QuadricChecks quadrics;
+  if (request.verify_quadrics) {
+    steps.progress.show("quadrics");
+    quadrics = check_quadrics(field, extraction, request.effort.threads);
+    steps.timing.quadrics = steps.step.lap();
+    throw_if_interrupted();
+  }
   if (!request.tolerance.empty()) refine_meshes(field, request, extraction, steps);
   steps.progress.show("topology");
   const FeatureSummaries summaries = summarize(extraction);
   const JointResults joint = examine_jointly(request, extraction, steps.progress);
   steps.timing.topology = steps.step.lap();
-  write_results(request, field, extraction, summaries, joint, directory, steps);
+  write_results(request, field, extraction, summaries, quadrics, joint, directory, steps);
   steps.progress.clear();
   fmt::print("{}", describe_reading(field.split, repairs));
-  fmt::print("{}", make_table(extraction, summaries));
+  fmt::print("{}{}", make_table(extraction, summaries), quadrics_lines(quadrics));
   if (steps.accuracy) fmt::print("{}", describe(*steps.accuracy));
   fmt::print("{}", joint_lines(joint));
+  if (!all_agree(quadrics)) return ExitCode::Fault;
   return extraction.certified() ? ExitCode::Certified : ExitCode::Unresolved;
 }
 
@@ -248,6 +257,10 @@ void add_extract(CLI::App& program, Action& action) {
           "Largest distance between meshes and surfaces, both ways: a length, or with an r "
           "behind it a part of the longest edge of the tet at hand")
       ->type_name("EPS");
+  command->add_flag(
+      "--verify-quadrics", request->verify_quadrics,
+      "Find balanced, magnitude, isotropicity and traceless surfaces again as quadrics "
+      "of each tet, and compare");
   add_periodic_option(*command, request->periodic,
                       "Opposite sides across these axes are one; their tensors must be equal");
   command->add_flag("--check-embedding", request->check_embedding,
@@ -266,7 +279,8 @@ void add_extract(CLI::App& program, Action& action) {
       "DIR gets one file per feature (empty ones too), nodes.vtp, features.vtpc for all of them, "
       "and report.json.");
   command->callback([request, formats, &action] {
-    resolve(request->features);  // what is wrong with it is better known before the work
+    const RequestedFeatures requested = resolve(request->features);  // wrong ones: before the work
+    if (request->verify_quadrics) require_quadrics(requested);
     check_array_names(request->arrays);
     parse_axes(request->periodic);
     check_tolerance(*request);

@@ -55,6 +55,7 @@ Json options_json(const ExtractRequest& request, const Extraction& extraction) {
                {"symmetric", request.symmetric},
                {"domains", request.domains},
                {"tolerance", request.tolerance},
+               {"verify_quadrics", request.verify_quadrics},
                {"max_bisections", extraction.refinement.max_bisections},
                {"threads", request.effort.threads},
                {"check_embedding", request.check_embedding},
@@ -202,7 +203,8 @@ FeatureSummaries summarize(const Extraction& extraction) {
 
 Json make_report(const ExtractRequest& request, const TensorField& field,
                  const Extraction& extraction, const FeatureSummaries& summaries,
-                 const std::optional<MeshAccuracy>& accuracy, const StepTiming& timing) {
+                 const std::optional<MeshAccuracy>& accuracy, const QuadricChecks& quadrics,
+                 const StepTiming& timing) {
   const CertificateCounts& proofs = extraction.certificates;
   const RefinementStatistics& refinement = extraction.refinement;
   const SignStages& stages = extraction.sign_stages;
@@ -225,6 +227,7 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
   report["features"] = features_json(extraction, summaries);
   if (accuracy) report["accuracy"] = accuracy_json(*accuracy);
   if (request.domains) report["domains"] = domains_json(extraction.domains);
+  if (request.verify_quadrics) report["quadrics"] = quadrics_json(field, quadrics);
   report["nodes"] = nodes_json(extraction);
   report["nodes_undecided"] = nodes_undecided_json(field, extraction);
   report["identical"] = identical_json(extraction.identical);
@@ -239,6 +242,7 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
                         {"write", timing.write},
                         {"total", timing.total}};
   if (accuracy) report["timing_s"]["mesh"] = timing.mesh;
+  if (request.verify_quadrics) report["timing_s"]["quadrics"] = timing.quadrics;
   if (extraction.curves != 0) report["timing_s"]["curves"] = extraction.timing.curves_s;
   const auto memory = resident_memory();
   report["peak_memory_bytes"] = memory ? Json(memory->peak) : Json(nullptr);

@@ -10,6 +10,7 @@
 
 #include "effort_options.hpp"
 #include "feature_list.hpp"
+#include "quadric_check.hpp"
 #include "triplex/extract/extraction.hpp"
 #include "triplex/io/read_field.hpp"
 #include "triplex/io/write_mesh.hpp"
@@ -36,7 +37,7 @@ FeatureSummaries summarize(const Extraction& extraction);
 
 /// Seconds of wall time per step of the run; reading includes checking.
 struct StepTiming {
-  double read = 0, mesh = 0, topology = 0, write = 0, total = 0;
+  double read = 0, quadrics = 0, mesh = 0, topology = 0, write = 0, total = 0;
 };
 
 /// What the user asked for, as given.
@@ -54,13 +55,14 @@ struct ExtractRequest {
   std::string tolerance;  ///< empty: one polygon per tet
   bool check_embedding = false;
   bool complex = false;
+  bool verify_quadrics = false;  ///< also take the quadric road and compare
 };
 
 /// The contents of report.json; docs/formats.md says what each key means.
 nlohmann::ordered_json make_report(const ExtractRequest& request, const TensorField& field,
                                    const Extraction& extraction, const FeatureSummaries& summaries,
                                    const std::optional<MeshAccuracy>& accuracy,
-                                   const StepTiming& timing);
+                                   const QuadricChecks& quadrics, const StepTiming& timing);
 
 /// The table for people.
 std::string make_table(const Extraction& extraction, const FeatureSummaries& summaries);

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: The Triplex authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "patch_mesh.hpp"
+#include "sampled_faces.hpp"
+
+namespace triplex::detail {
+
+/// The patches of one tet: those of the cut that are on the feature's side.
+struct TetPatches {
+  std::vector<std::uint8_t> chosen;  ///< numbers of patches of the cut
+  std::vector<PatchMesh> meshes;     ///< one for each; no triangles: not meshed
+  bool complete = true;              ///< all are meshed
+};
+
+/// The patches on which the trace has the sign of an isotropicity; all of the other kinds.
+/// Guarantee: exact.
+std::vector<std::uint8_t> patches_of_feature(const SimplexForm<4>& form,
+                                             const std::array<EdgeCut, 6>& edges,
+                                             const TetCut& cut);
+
+/// Meshes them; patches of one loop that no chart holds as a fan, if `last` or if they are tiny.
+void mesh_patches(const SimplexForm<4>& form, const CutMesh& mesh, const SampledFaces& faces,
+                  const CutTet& tet, int samples, bool last, TetPatches& patches);
+
+}  // namespace triplex::detail
