@@ -24,9 +24,10 @@ FeatureSet book_of(const FeatureTable& table) {
   return book;
 }
 
-CellCutter::CellCutter(const EdgeCrossings& crossings, const FaceSpinePoints& spine_points,
-                       const PointRanges& ranges)
-    : crossings_(crossings),
+CellCutter::CellCutter(const RefinableField& field, const EdgeCrossings& crossings,
+                       const FaceSpinePoints& spine_points, const PointRanges& ranges)
+    : field_(field),
+      crossings_(crossings),
       spine_points_(spine_points),
       ranges_(ranges),
       pages_(book_of(crossings.table()) & ~bit(Feature::TripleCurve)),
@@ -36,7 +37,7 @@ void CellCutter::cut(const Leaf& leaf, CutCell& cell) {
   cell.pieces.clear();
   patches_of(leaf, crossings_, spine_points_, pages_, patches_);
   for (int face = 0; face < 4; ++face) cut_face(leaf, face, cell.pieces);
-  for (const PatchLoop& loop : patches_.loops) add_patch(loop, cell.pieces);
+  for (const PatchLoop& loop : patches_.loops) add_patch(leaf, loop, cell.pieces);
   join_pieces(cell);
 }
 
@@ -73,12 +74,12 @@ void CellCutter::cut_face(const Leaf& leaf, int face, Polygons& pieces) {
 }
 
 /// The triangles of a patch bound the sector below the page, and turned around that above it.
-void CellCutter::add_patch(const PatchLoop& loop, Polygons& pieces) {
+void CellCutter::add_patch(const Leaf& leaf, const PatchLoop& loop, Polygons& pieces) {
   const FeatureTable& table = crossings_.table();
   const int page = table.position(loop.feature), count = table.page_count();
   const auto below = static_cast<Sector>((page + count - 1) % count);
   const auto above = static_cast<Sector>(page);
-  for_each_triangle(loop, crossings_,
+  for_each_triangle(loop, leaf, field_,
                     [&](const PatchVertex& a, const PatchVertex& b, const PatchVertex& c) {
                       const PointNumber i = number(a), j = number(b), k = number(c);
                       pieces.corners.insert(pieces.corners.end(), {i, j, k});

@@ -38,7 +38,7 @@ class DomainCells {
   DomainMesh build() const {
     std::vector<Part> parts((complex_.leaves.size() + kChunk - 1) / kChunk);
     tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t n) {
-      CellCutter cutter(crossings_, spine_points_, ranges_);
+      CellCutter cutter(complex_.field, crossings_, spine_points_, ranges_);
       CutCell cell;
       const std::size_t end = std::min((n + 1) * kChunk, complex_.leaves.size());
       for (std::size_t i = n * kChunk; i < end; ++i)

@@ -32,8 +32,8 @@ struct CutCell {
 /// certified or not. Source: proofs/domains.md.
 class CellCutter {
  public:
-  CellCutter(const EdgeCrossings& crossings, const FaceSpinePoints& spine_points,
-             const PointRanges& ranges);
+  CellCutter(const RefinableField& field, const EdgeCrossings& crossings,
+             const FaceSpinePoints& spine_points, const PointRanges& ranges);
 
   /// \throw std::logic_error if a boundary is not closed, which cannot be.
   void cut(const Leaf& leaf, CutCell& cell);
@@ -45,13 +45,14 @@ class CellCutter {
     std::uint32_t piece;
   };
   void cut_face(const Leaf& leaf, int face, Polygons& pieces);
-  void add_patch(const PatchLoop& loop, Polygons& pieces);
+  void add_patch(const Leaf& leaf, const PatchLoop& loop, Polygons& pieces);
   void join_pieces(CutCell& cell);
   PointNumber number(const PatchVertex& v) const {
     return (v.on_spine ? ranges_.spine_points : ranges_.crossings) + v.number;
   }
   std::uint32_t root(std::uint32_t piece);
 
+  const RefinableField& field_;
   const EdgeCrossings& crossings_;
   const FaceSpinePoints& spine_points_;
   const PointRanges ranges_;

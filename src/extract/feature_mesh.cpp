@@ -51,15 +51,16 @@ void FeatureMeshBuilder::add_leaf(const Leaf& leaf, FeatureSet features, CellPat
                                   Cells& cells) const {
   patches_of(leaf, crossings_, spine_points_, features, patches);
   const std::int64_t source = input_.source_cell(leaf.input);
-  for (const PatchLoop& loop : patches.loops)
-    add_fan(loop, source, !contains(leaf.open, loop.feature), cells[index(loop.feature)]);
+  for (const PatchLoop& loop : patches.loops) add_fan(loop, leaf, cells[index(loop.feature)]);
   for (const auto& [a, b] : patches.spine)
     cells[index(Feature::TripleCurve)].push_back(
         {{a, b, b}, source, !contains(leaf.open, Feature::TripleCurve)});
 }
 
-void FeatureMeshBuilder::add_fan(const PatchLoop& loop, std::int64_t source, bool certified,
+void FeatureMeshBuilder::add_fan(const PatchLoop& loop, const Leaf& leaf,
                                  std::vector<Cell>& out) const {
+  const std::int64_t source = input_.source_cell(leaf.input);
+  const bool certified = !contains(leaf.open, loop.feature);
   const auto joined = [&](PatchVertex v) {
     if (!v.on_spine) v.number = joined_.joined[v.number];
     return v;
@@ -67,7 +68,7 @@ void FeatureMeshBuilder::add_fan(const PatchLoop& loop, std::int64_t source, boo
   const auto same = [](const PatchVertex& a, const PatchVertex& b) {
     return a.on_spine == b.on_spine && a.number == b.number;
   };
-  for_each_triangle(loop, crossings_, [&](PatchVertex a, PatchVertex b, PatchVertex c) {
+  for_each_triangle(loop, leaf, complex_.field, [&](PatchVertex a, PatchVertex b, PatchVertex c) {
     a = joined(a), b = joined(b), c = joined(c);
     if (!same(a, b) && !same(b, c) && !same(a, c)) out.push_back({{a, b, c}, source, certified});
   });

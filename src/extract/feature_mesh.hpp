@@ -11,8 +11,8 @@
 namespace triplex {
 
 /// The patches of all active tets joined to one indexed mesh per requested feature.
-/// Vertices are numbered by edge, then by face; loops become fans (quadrilaterals along their
-/// shorter diagonal).
+/// Vertices are numbered by edge, then by face; loops become fans (quadrilaterals along the
+/// diagonal between those opposite edges of the tet whose middles are nearer).
 class FeatureMeshBuilder {
  public:
   FeatureMeshBuilder(const TensorField& input, const RefinedComplex& complex,
@@ -32,8 +32,7 @@ class FeatureMeshBuilder {
   using Cells = std::vector<std::vector<Cell>>;  // per row of the table
 
   void add_leaf(const Leaf& leaf, FeatureSet features, CellPatches& patches, Cells& cells) const;
-  void add_fan(const PatchLoop& loop, std::int64_t source, bool certified,
-               std::vector<Cell>& out) const;
+  void add_fan(const PatchLoop& loop, const Leaf& leaf, std::vector<Cell>& out) const;
   FeatureMesh assemble(Feature feature, const std::vector<Cells>& parts) const;
   Point position(const PatchVertex& v) const;
   void add_vertex(Feature feature, const PatchVertex& v, FeatureMesh& mesh) const;

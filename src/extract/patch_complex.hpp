@@ -9,8 +9,7 @@ namespace triplex {
 
 /// The patches of all active tets with their arcs, each arc once. Takes the refined field.
 PatchComplex make_patch_complex(const TensorField& input, RefinedComplex complex,
-                                const EdgeCrossings& crossings,
-                                const FaceSpinePoints& spine_points,
+                                const EdgeCrossings& crossings, const FaceSpinePoints& spine_points,
                                 const std::vector<std::uint32_t>& active_leaves,
                                 FeatureSet features);
 

@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_fan.hpp"
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <tuple>
 
 namespace triplex {
 namespace {
-
-double squared_distance(const Point& a, const Point& b) {
-  double s = 0;
-  for (int k = 0; k < 3; ++k) s += (a[k] - b[k]) * (a[k] - b[k]);
-  return s;
-}
 
 /// The vertex from which a loop is fanned. It must not depend on where the loop starts or which way
 /// it runs. No diagonal should lie in a face of the tet, where a neighbour might use it too (this
@@ -31,18 +28,42 @@ std::size_t apex_of(const PatchLoop& loop) {
   return best;
 }
 
+/// The ends of the edge that a crossing lies on, in the tet: an edge is on the faces that lack
+/// neither of its ends.
+std::array<std::size_t, 2> ends_of(const PatchVertex& v) {
+  const unsigned ends = ~static_cast<unsigned>(v.faces) & 0b1111u;
+  return {static_cast<std::size_t>(std::countr_zero(ends)),
+          static_cast<std::size_t>(std::bit_width(ends) - 1)};
+}
+
+/// Four times the squared distance of the middles of two edges.
+double between_middles(const std::array<Point, 4>& x, const PatchVertex& u, const PatchVertex& v) {
+  const auto [a, b] = ends_of(u);
+  const auto [c, d] = ends_of(v);
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double difference = (x[a][k] + x[b][k]) - (x[c][k] + x[d][k]);
+    sum += difference * difference;
+  }
+  return sum;
+}
+
 }  // namespace
 
-std::size_t fan_apex(const PatchLoop& loop, const EdgeCrossings& crossings) {
+std::size_t fan_apex(const PatchLoop& loop, const Leaf& leaf, const RefinableField& field) {
   const std::size_t apex = apex_of(loop);
-  if (loop.size != 4 || loop[apex].on_spine) return apex;
-  const auto corner = [&](std::size_t i) {
-    return crossings.crossings()[loop[(apex + i) % 4].number].position;
-  };
-  // The diagonal has no end on the spine only if no corner has: the apex comes first.
-  const bool other =
-      squared_distance(corner(1), corner(3)) < squared_distance(corner(0), corner(2));
-  return other ? (apex + 1) % 4 : apex;
+  const auto on_edge = [](const PatchVertex& v) { return !v.on_spine; };
+  if (loop.size != 4 || !std::all_of(loop.vertices.begin(), loop.vertices.begin() + 4, on_edge))
+    return apex;
+  std::array<Point, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = field.position(leaf.vertices[i]);
+  // Of equals the one with the edge of the lowest ends.
+  const std::size_t lowest = static_cast<std::size_t>(
+      std::ranges::min_element(loop.vertices.begin(), loop.vertices.begin() + 4, {}, ends_of) -
+      loop.vertices.begin());
+  const double here = between_middles(corners, loop[lowest], loop[(lowest + 2) % 4]);
+  const double other = between_middles(corners, loop[(lowest + 1) % 4], loop[(lowest + 3) % 4]);
+  return other < here ? (lowest + 1) % 4 : lowest;
 }
 
 }  // namespace triplex

@@ -8,14 +8,18 @@
 
 namespace triplex {
 
-/// The vertex from which a patch is fanned into triangles; quadrilaterals are cut along their
-/// shorter diagonal. It does not depend on where the loop starts or which way it runs.
-std::size_t fan_apex(const PatchLoop& loop, const EdgeCrossings& crossings);
+/// The vertex from which a patch is fanned into triangles. A quadrilateral between two vertices of
+/// the tet and the other two has its corners on four edges, and is cut between those two opposite
+/// edges whose middles are nearer to each other: the same for all sheets that pass there, so that
+/// sheets whose corners are in order on the edges do not cross. It does not depend on where the
+/// loop starts or which way it runs. Source: proofs/cell.md.
+std::size_t fan_apex(const PatchLoop& loop, const Leaf& leaf, const RefinableField& field);
 
 /// Calls take(a, b, c) for every triangle of a patch, with vertices in the sense of its loop.
 template <class Take>
-void for_each_triangle(const PatchLoop& loop, const EdgeCrossings& crossings, const Take& take) {
-  const std::size_t n = loop.size, apex = fan_apex(loop, crossings);
+void for_each_triangle(const PatchLoop& loop, const Leaf& leaf, const RefinableField& field,
+                       const Take& take) {
+  const std::size_t n = loop.size, apex = fan_apex(loop, leaf, field);
   for (std::size_t i = 1; i + 1 < n; ++i)
     take(loop[apex], loop[(apex + i) % n], loop[(apex + i + 1) % n]);
 }
