@@ -13,6 +13,7 @@
 #include "feature_list.hpp"
 #include "interrupt.hpp"
 #include "joint_results.hpp"
+#include "mesh_refinement.hpp"
 #include "periodic_option.hpp"
 #include "progress.hpp"
 #include "reading_options.hpp"
@@ -27,7 +28,6 @@
 #include "triplex/io/write_domains.hpp"
 #include "triplex/io/write_mesh.hpp"
 #include "triplex/io/write_nodes.hpp"
-#include "triplex/meshing/mesh_patches.hpp"
 #include "triplex/meshing/wish_for_charts.hpp"
 #include "triplex/tensor/point_arrays.hpp"
 
@@ -39,7 +39,7 @@ struct Steps {
   StepTiming timing;
   Stopwatch step;
   Stopwatch total;
-  std::optional<MeshAccuracy> accuracy;
+  std::optional<RefinedMeshes> refined;
 };
 
 TensorField read_checked(const ExtractRequest& request, InputRepairs& repairs, Steps& steps) {
@@ -49,24 +49,6 @@ TensorField read_checked(const ExtractRequest& request, InputRepairs& repairs, S
   steps.timing.read = steps.step.lap();
   throw_if_interrupted();
   return field;
-}
-
-/// Meshes of bounded distance in the place of one polygon per tet.
-void refine_meshes(const TensorField& field, const ExtractRequest& request, Extraction& extraction,
-                   Steps& steps) {
-  MeshingOptions options;
-  options.tolerance = parse_tolerance(request.tolerance);
-  options.keep_tensors = !request.arrays.empty();
-  options.threads = request.effort.threads;
-  options.progress = [&](std::string_view step, double done) { steps.progress.show(step, done); };
-  options.interrupted = &interrupted();
-  MeshedPatches meshed = mesh_patches(field, *extraction.patches, options);
-  for (std::size_t n = 0; n < meshed.features.size(); ++n)
-    if (!contains(extraction.curves, static_cast<Feature>(n)))
-      extraction.features[n] = std::move(meshed.features[n]);
-  steps.accuracy = meshed.accuracy;
-  extraction.patches.reset();
-  steps.timing.mesh = steps.step.lap();
 }
 
 Extraction extract_with_progress(const TensorField& field, const ExtractRequest& request,
@@ -153,7 +135,7 @@ void write_results(const ExtractRequest& request, const TensorField& field,
   steps.timing.write = steps.step.lap();
   steps.timing.total = steps.total.lap();
   nlohmann::ordered_json report =
-      make_report(request, field, extraction, summaries, steps.accuracy, quadrics, steps.timing);
+      make_report(request, field, extraction, summaries, steps.refined, quadrics, steps.timing);
   add_to_report(joint, table, report);
   write_text_file(directory.stage("report.json"), report.dump(2) + "\n");
   directory.commit();
@@ -172,7 +154,10 @@ ExitCode run_extract(const ExtractRequest& request) {
     steps.timing.quadrics = steps.step.lap();
     throw_if_interrupted();
   }
-  if (!request.tolerance.empty()) refine_meshes(field, request, extraction, steps);
+  if (!request.tolerance.empty()) {
+    steps.refined = refine_meshes(request, field, extraction, steps.progress);
+    steps.timing.mesh = steps.step.lap();
+  }
   steps.progress.show("topology");
   const FeatureSummaries summaries = summarize(extraction);
   const JointResults joint = examine_jointly(request, extraction, steps.progress);
@@ -181,7 +166,7 @@ ExitCode run_extract(const ExtractRequest& request) {
   steps.progress.clear();
   fmt::print("{}", describe_reading(field.split, repairs));
   fmt::print("{}{}", make_table(extraction, summaries), quadrics_lines(quadrics));
-  if (steps.accuracy) fmt::print("{}", describe(*steps.accuracy));
+  if (steps.refined) fmt::print("{}", describe(*steps.refined));
   fmt::print("{}", joint_lines(joint));
   if (!all_agree(quadrics)) return ExitCode::Fault;
   return extraction.certified() ? ExitCode::Certified : ExitCode::Unresolved;

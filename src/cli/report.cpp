@@ -9,6 +9,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "mesh_refinement.hpp"
 #include "report_places.hpp"
 #include "triplex/io/resident_memory.hpp"
 #include "version.hpp"
@@ -126,16 +127,6 @@ Json domains_json(const DomainMesh& mesh) {
   return json;
 }
 
-Json accuracy_json(const MeshAccuracy& accuracy) {
-  return {{"patches", accuracy.patches},
-          {"within_tolerance", accuracy.within},
-          {"beyond_tolerance", accuracy.beyond},
-          {"unproven", accuracy.unproven},
-          {"largest_error", accuracy.largest_error},
-          {"largest_vertex_error", accuracy.largest_vertex_error},
-          {"unproven_vertices", accuracy.unproven_vertices}};
-}
-
 Json range_json(const Range& range) { return {range.lo, range.hi}; }
 
 Json nodes_json(const Extraction& extraction) {
@@ -203,7 +194,7 @@ FeatureSummaries summarize(const Extraction& extraction) {
 
 Json make_report(const ExtractRequest& request, const TensorField& field,
                  const Extraction& extraction, const FeatureSummaries& summaries,
-                 const std::optional<MeshAccuracy>& accuracy, const QuadricChecks& quadrics,
+                 const std::optional<RefinedMeshes>& refined, const QuadricChecks& quadrics,
                  const StepTiming& timing) {
   const CertificateCounts& proofs = extraction.certificates;
   const RefinementStatistics& refinement = extraction.refinement;
@@ -225,7 +216,7 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
       {"filter", stages.filter}, {"interval", stages.interval}, {"exact", stages.exact}};
   if (extraction.curves != 0) report["symmetric"] = {{"shifted", extraction.curves_shifted}};
   report["features"] = features_json(extraction, summaries);
-  if (accuracy) report["accuracy"] = accuracy_json(*accuracy);
+  if (refined) report["accuracy"] = accuracy_json(*refined);
   if (request.domains) report["domains"] = domains_json(extraction.domains);
   if (request.verify_quadrics) report["quadrics"] = quadrics_json(field, quadrics);
   report["nodes"] = nodes_json(extraction);
@@ -241,7 +232,7 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
                         {"topology", timing.topology},
                         {"write", timing.write},
                         {"total", timing.total}};
-  if (accuracy) report["timing_s"]["mesh"] = timing.mesh;
+  if (refined) report["timing_s"]["mesh"] = timing.mesh;
   if (request.verify_quadrics) report["timing_s"]["quadrics"] = timing.quadrics;
   if (extraction.curves != 0) report["timing_s"]["curves"] = extraction.timing.curves_s;
   const auto memory = resident_memory();
@@ -265,15 +256,6 @@ std::string nodes_line(const Extraction& extraction) {
 }
 
 }  // namespace
-
-std::string describe(const MeshAccuracy& accuracy) {
-  std::string line = fmt::format("{} of {} patches proven to be within the tolerance",
-                                 accuracy.within, accuracy.patches);
-  if (accuracy.beyond > 0)
-    line += fmt::format("; {} beyond, by at most {:.3g}", accuracy.beyond, accuracy.largest_error);
-  if (accuracy.unproven > 0) line += fmt::format("; {} not proven", accuracy.unproven);
-  return line + "\n";
-}
 
 std::string make_table(const Extraction& extraction, const FeatureSummaries& summaries) {
   constexpr std::string_view kLine = "{:<{}} {:>9} {:>9} {:>10} {:>6} {:>8} {:>12.6g} {:>10}\n";

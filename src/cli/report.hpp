@@ -14,12 +14,13 @@
 #include "triplex/extract/extraction.hpp"
 #include "triplex/io/read_field.hpp"
 #include "triplex/io/write_mesh.hpp"
-#include "triplex/meshing/mesh_patches.hpp"
 #include "triplex/topology/curve_topology.hpp"
 #include "triplex/topology/surface_topology.hpp"
 #include "triplex/topology/triangle_quality.hpp"
 
 namespace triplex::cli {
+
+struct RefinedMeshes;
 
 /// One feature in numbers. For a curve `curve` and `measure` (a length) are used, for a surface
 /// `surface` and `measure` (an area).
@@ -28,7 +29,7 @@ struct FeatureSummary {
   SurfaceTopology surface;
   CurveTopology curve;
   double measure = 0;
-  AngleHistogram angles;  ///< of a surface
+  AngleHistogram angles;         ///< of a surface
   std::uint64_t unresolved = 0;  ///< tets of the input whose list names the feature
 };
 using FeatureSummaries = std::vector<FeatureSummary>;  ///< per row of the table
@@ -61,13 +62,10 @@ struct ExtractRequest {
 /// The contents of report.json; docs/formats.md says what each key means.
 nlohmann::ordered_json make_report(const ExtractRequest& request, const TensorField& field,
                                    const Extraction& extraction, const FeatureSummaries& summaries,
-                                   const std::optional<MeshAccuracy>& accuracy,
+                                   const std::optional<RefinedMeshes>& refined,
                                    const QuadricChecks& quadrics, const StepTiming& timing);
 
 /// The table for people.
 std::string make_table(const Extraction& extraction, const FeatureSummaries& summaries);
-
-/// A line about the distance between meshes and surfaces.
-std::string describe(const MeshAccuracy& accuracy);
 
 }  // namespace triplex::cli

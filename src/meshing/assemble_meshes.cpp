@@ -142,21 +142,27 @@ FeatureMesh assemble_curve(const PatchComplex& complex, const MeshedArcs& arcs) 
 
 }  // namespace
 
-std::vector<FeatureMesh> assemble_meshes(const PatchComplex& complex, const MeshedArcs& arcs,
-                                         const std::vector<MeshedPatch>& patches) {
+MeshedPatches assemble_meshes(const PatchComplex& complex, const MeshedArcs& arcs,
+                              const std::vector<MeshedPatch>& patches) {
   std::vector<std::vector<std::uint32_t>> of_feature(
       static_cast<std::size_t>(complex.table.size()));
   for (std::uint32_t n = 0; n < patches.size(); ++n)
     of_feature[index(complex.patches[n].feature)].push_back(n);
-  std::vector<FeatureMesh> meshes(of_feature.size());
-  tbb::parallel_for(std::size_t{0}, meshes.size(), [&](std::size_t f) {
+  MeshedPatches result;
+  result.features.resize(of_feature.size());
+  result.patch_of.resize(of_feature.size());
+  tbb::parallel_for(std::size_t{0}, of_feature.size(), [&](std::size_t f) {
     if (of_feature[f].empty()) return;
     FeatureAssembler assembler(complex, arcs, static_cast<Feature>(f));
-    for (const std::uint32_t n : of_feature[f]) assembler.add_patch(complex.patches[n], patches[n]);
-    meshes[f] = assembler.take();
+    for (const std::uint32_t n : of_feature[f]) {
+      assembler.add_patch(complex.patches[n], patches[n]);
+      result.patch_of[f].insert(result.patch_of[f].end(), patches[n].triangles.size(), n);
+    }
+    result.features[f] = assembler.take();
   });
-  if (!complex.curve.empty()) meshes[index(Feature::TripleCurve)] = assemble_curve(complex, arcs);
-  return meshes;
+  if (!complex.curve.empty())
+    result.features[index(Feature::TripleCurve)] = assemble_curve(complex, arcs);
+  return result;
 }
 
 }  // namespace triplex

@@ -32,26 +32,44 @@ ArcShares shares_of(double tolerance, const std::optional<Chart>& chart, double 
           {tolerance / (2 * (1 + chart->steepest / chart->rise))}};
 }
 
-class Mesher {
+}  // namespace
+
+class PatchMeshing::State {
  public:
-  Mesher(const TensorField& input, const PatchComplex& complex, const MeshingOptions& options)
+  State(const TensorField& input, const PatchComplex& complex, const MeshingOptions& options)
       : input_(input),
         complex_(complex),
         options_(options),
         functions_(surface_functions(complex.table, complex.field->scale_exponent())),
-        share_(complex.patches.size(), 1) {}
+        part_(complex.patches.size(), 1),
+        share_(complex.patches.size(), 1),
+        arcs_(complex_, functions_),
+        patches_(complex.patches.size()),
+        stale_(complex.patches.size(), true) {}
 
-  MeshedPatches run() {
-    MeshedArcs arcs(complex_, functions_);
-    std::vector<MeshedPatch> patches(complex_.patches.size());
+  MeshedPatches mesh() {
     for (int round = 0; round < kMostRounds; ++round) {
       report("arcs");
-      const std::vector<bool> changed = arcs.sample(arc_targets());
-      mesh_changed(arcs, changed, patches);
-      if (!ask_for_more(patches)) break;
+      const std::vector<bool> changed = arcs_.sample(arc_targets());
+      for (std::size_t n = 0; n < patches_.size(); ++n)
+        if (std::ranges::any_of(complex_.boundary(complex_.patches[n]),
+                                [&](const ArcUse& use) { return changed[use.arc]; }))
+          stale_[n] = true;
+      mesh_stale();
+      if (!ask_for_more()) break;
     }
     report("join");
-    return {assemble_meshes(complex_, arcs, patches), accuracy_of(arcs, patches)};
+    MeshedPatches result = assemble_meshes(complex_, arcs_, patches_);
+    result.accuracy = accuracy();
+    return result;
+  }
+
+  void refine(std::span<const std::uint32_t> patches) {
+    for (const std::uint32_t n : patches) {
+      if (patches_[n].is_tangled) continue;  // finer arcs were of no use
+      part_[n] *= kFiner;
+      stale_[n] = true;
+    }
   }
 
  private:
@@ -60,42 +78,44 @@ class Mesher {
   /// many points. What is tangled still is pinched: its arcs touch, or nearly so.
   static constexpr int kMostRounds = 3;
   static constexpr double kFiner = 1.0 / 16;
+  static constexpr double kLeastShare = kFiner;
 
   void report(std::string_view step, double done = 0) const {
     if (options_.interrupted && options_.interrupted->load()) throw Interrupted{};
     if (options_.progress) options_.progress(step, done);
   }
 
-  double tolerance_of(std::size_t n) const {
+  /// What was asked for, and what patch n is meshed to.
+  double wanted_of(std::size_t n) const {
     const Patch& patch = complex_.patches[n];
     return options_.tolerance ? options_.tolerance->at(longest_edge_approx(input_, patch.input))
                               : kInfinite;
   }
+  double tolerance_of(std::size_t n) const { return part_[n] * wanted_of(n); }
 
-  /// Meshes the patches with an arc that has changed. In slices, so that an interrupt is seen.
-  void mesh_changed(const MeshedArcs& arcs, const std::vector<bool>& changed,
-                    std::vector<MeshedPatch>& patches) const {
-    std::vector<std::size_t> missing;
-    for (std::size_t n = 0; n < patches.size(); ++n)
-      if (std::ranges::any_of(complex_.boundary(complex_.patches[n]),
-                              [&](const ArcUse& use) { return changed[use.arc]; }))
-        missing.push_back(n);
-    for (std::size_t start = 0; start < missing.size(); start += kSlice) {
-      const std::size_t end = std::min(start + kSlice, missing.size());
+  /// In slices, so that an interrupt is seen.
+  void mesh_stale() {
+    std::vector<std::size_t> stale;
+    for (std::size_t n = 0; n < patches_.size(); ++n)
+      if (stale_[n]) stale.push_back(n);
+    for (std::size_t start = 0; start < stale.size(); start += kSlice) {
+      const std::size_t end = std::min(start + kSlice, stale.size());
       tbb::parallel_for(start, end, [&](std::size_t i) {
-        const Patch& patch = complex_.patches[missing[i]];
-        patches[missing[i]] = mesh_patch(complex_, arcs, patch, functions_[index(patch.feature)],
-                                         tolerance_of(missing[i]), options_.keep_tensors);
+        const std::size_t n = stale[i];
+        const Patch& patch = complex_.patches[n];
+        patches_[n] = mesh_patch(complex_, arcs_, patch, functions_[index(patch.feature)],
+                                 tolerance_of(n), options_.keep_tensors);
       });
-      report("patches", static_cast<double>(end) / static_cast<double>(missing.size()));
+      report("patches", static_cast<double>(end) / static_cast<double>(stale.size()));
     }
+    stale_.assign(stale_.size(), false);
   }
 
   /// Patches whose polygons are tangled in their charts get finer arcs. False: there are none.
-  bool ask_for_more(const std::vector<MeshedPatch>& patches) {
+  bool ask_for_more() {
     bool any = false;
-    for (std::size_t n = 0; n < patches.size(); ++n) {
-      if (!patches[n].is_tangled) continue;
+    for (std::size_t n = 0; n < patches_.size(); ++n) {
+      if (!patches_[n].is_tangled || share_[n] < kLeastShare) continue;
       share_[n] *= kFiner;
       any = true;
     }
@@ -120,7 +140,7 @@ class Mesher {
     return targets;
   }
 
-  MeshAccuracy accuracy_of(const MeshedArcs& arcs, const std::vector<MeshedPatch>& patches) const {
+  MeshAccuracy accuracy() const {
     MeshAccuracy accuracy;
     const auto add_vertices = [&](double error, std::uint64_t count) {
       if (count == 0) return;
@@ -129,41 +149,53 @@ class Mesher {
       else
         accuracy.unproven_vertices += count;
     };
-    for (std::size_t n = 0; n < patches.size(); ++n) {
-      const MeshedPatch& patch = patches[n];
+    for (std::size_t n = 0; n < patches_.size(); ++n) {
+      const MeshedPatch& patch = patches_[n];
       ++accuracy.patches;
-      ++(patch.error <= tolerance_of(n) && patch.error < kInfinite ? accuracy.within
-         : patch.error < kInfinite                                 ? accuracy.beyond
-                                                                   : accuracy.unproven);
+      ++(patch.error <= wanted_of(n) && patch.error < kInfinite ? accuracy.within
+         : patch.error < kInfinite                              ? accuracy.beyond
+                                                                : accuracy.unproven);
       if (patch.error < kInfinite)
         accuracy.largest_error = std::max(accuracy.largest_error, patch.error);
       add_vertices(patch.error < kInfinite ? patch.vertex_error : kInfinite, patch.inside.size());
     }
     for (std::uint32_t n = 0; n < complex_.corners.size(); ++n)
-      add_vertices(arcs.corner_error(n), 1);
+      add_vertices(arcs_.corner_error(n), 1);
     for (std::uint32_t n = 0; n < complex_.arcs.size(); ++n)
-      add_vertices(arcs[n].deviation < kInfinite ? arcs[n].point_error : kInfinite,
-                   arcs[n].points.size());
+      add_vertices(arcs_[n].deviation < kInfinite ? arcs_[n].point_error : kInfinite,
+                   arcs_[n].points.size());
     return accuracy;
   }
 
   const TensorField& input_;
   const PatchComplex& complex_;
-  const MeshingOptions& options_;
+  const MeshingOptions options_;
   const std::vector<SurfaceFunction> functions_;
-  std::vector<double> share_;  // of its tolerance that a patch gives its arcs
+  std::vector<double> part_;   // of the tolerance, that each patch is meshed to
+  std::vector<double> share_;  // of that, that it gives its arcs
+  MeshedArcs arcs_;
+  std::vector<MeshedPatch> patches_;
+  std::vector<bool> stale_;  // to be meshed
 };
 
-}  // namespace
+PatchMeshing::PatchMeshing(const TensorField& input, const PatchComplex& complex,
+                           const MeshingOptions& options)
+    : state_(std::make_unique<State>(input, complex, options)), threads_(options.threads) {}
+PatchMeshing::~PatchMeshing() = default;
+
+MeshedPatches PatchMeshing::mesh() {
+  return with_fp_environment([&] {
+    tbb::task_arena arena(threads_ > 0 ? static_cast<int>(threads_) : tbb::task_arena::automatic);
+    arena.initialize();
+    return arena.execute([&] { return state_->mesh(); });
+  });
+}
+
+void PatchMeshing::refine(std::span<const std::uint32_t> patches) { state_->refine(patches); }
 
 MeshedPatches mesh_patches(const TensorField& input, const PatchComplex& complex,
                            const MeshingOptions& options) {
-  return with_fp_environment([&] {
-    tbb::task_arena arena(options.threads > 0 ? static_cast<int>(options.threads)
-                                              : tbb::task_arena::automatic);
-    arena.initialize();
-    return arena.execute([&] { return Mesher(input, complex, options).run(); });
-  });
+  return PatchMeshing(input, complex, options).mesh();
 }
 
 }  // namespace triplex

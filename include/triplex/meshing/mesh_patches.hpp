@@ -5,7 +5,9 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "triplex/extract/patch_complex.hpp"
@@ -41,6 +43,8 @@ struct MeshAccuracy {
 struct MeshedPatches {
   std::vector<FeatureMesh>
       features;  ///< one per row of the table; empty where there are no patches
+  /// Per row of the table and triangle: its patch in `PatchComplex::patches`.
+  std::vector<std::vector<std::uint32_t>> patch_of;
   MeshAccuracy accuracy;
 };
 
@@ -52,5 +56,25 @@ struct MeshedPatches {
 /// Source: proofs/mesh_accuracy.md. \throw Interrupted.
 MeshedPatches mesh_patches(const TensorField& input, const PatchComplex& complex,
                            const MeshingOptions& options);
+
+/// The same in steps, for patches that have to be finer than the tolerance says: where triangles
+/// cross though the surfaces do not. Field and complex must outlive it.
+class PatchMeshing {
+ public:
+  PatchMeshing(const TensorField& input, const PatchComplex& complex,
+               const MeshingOptions& options);
+  ~PatchMeshing();
+
+  /// Meshes what has changed since the last time, everything at first. \throw Interrupted.
+  MeshedPatches mesh();
+  /// From now on these patches are meshed to a sixteenth of their tolerance: their edges become
+  /// about a quarter as long.
+  void refine(std::span<const std::uint32_t> patches);
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+  unsigned threads_ = 0;
+};
 
 }  // namespace triplex
