@@ -27,14 +27,15 @@ double bracketed_root(const F& f, double low, double high) {
 }
 
 /// The smallest power-of-two distance at which the filter `sign_at` sees the sign change around t;
-/// 1 if that is beyond kWidestBracket. Below `hopeless` the filter is known to see nothing.
+/// 1 if that is beyond `widest`. Below `hopeless` the filter is known to see nothing.
 template <class SignAt>
-double certified_error(const SignAt& sign_at, double t, bool rising, double hopeless = 0) {
+double certified_error(const SignAt& sign_at, double t, bool rising, double hopeless = 0,
+                       double widest = kWidestBracket) {
   const Certainty before = rising ? Certainty::Negative : Certainty::Positive;
   const Certainty after = rising ? Certainty::Positive : Certainty::Negative;
   double error = 0x1p-50;
-  while (error < std::min(hopeless, kWidestBracket / 4)) error *= 4;
-  for (; error <= kWidestBracket; error *= 4) {
+  while (error < std::min(hopeless, widest / 4)) error *= 4;
+  for (; error <= widest; error *= 4) {
     const bool left = t - error <= 0 || sign_at(t - error) == before;
     if (left && (t + error >= 1 || sign_at(t + error) == after)) return error;
   }

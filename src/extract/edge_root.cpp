@@ -162,6 +162,9 @@ EdgeRoot find_crossing(const Simplex<2>& edge, const FeatureTable& table, Featur
   if (root.error > kWidestBracket && !edge.has_enclosed_vertex()) {
     if (const auto exact = isolate(edge, row, table.sheet(page), root.t)) root = *exact;
   }
+  if (root.error == 1 && edge.filter_usable())  // a wide bracket is better than none
+    root.error = certified_error([&](double t) { return f.sign_at(t); }, root.t, rising,
+                                 kWidestBracket, 1);
   return root;
 }
 

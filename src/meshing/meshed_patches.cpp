@@ -103,18 +103,21 @@ std::optional<Chart> chart_of(const PatchComplex& complex, const Patch& patch, c
 MeshedPatch mesh_patch(const PatchComplex& complex, const MeshedArcs& arcs, const Patch& patch,
                        const SurfaceFunction& f, double tolerance, bool keep_tensors) {
   const CellMap cell(*complex.field, patch.cell, f.takes_trace());
+  // Rounding is added at the end: room for it.
+  const double positions = 2 * cell.position_error();
+  const double wanted = (tolerance - positions) * (1 - 0x1p-16);
   const auto chart = chart_of(complex, patch, cell, f);
   Outline outline = outline_of(complex, arcs, patch, chart);
   PatchTriangles result =
       triangulate_patch({cell, f, chart, outline.weights, outline.deviation, outline.value},
-                        cell.size() <= tolerance ? kInfinite : tolerance);
+                        cell.size() <= wanted ? kInfinite : wanted);
 
   MeshedPatch mesh;
   mesh.error = patch.certified ? result.error : kInfinite;
   // Patch and polygon both lie in the cell, and neither is empty.
   if (patch.certified && result.inside.empty() && !(mesh.error < cell.size()))
     mesh.error = cell.size();
-  mesh.error += 2 * cell.position_error();
+  mesh.error += positions;
   mesh.vertex_error = result.vertex_error + cell.position_error();
   mesh.is_tangled = result.is_tangled;
   mesh.outline = std::move(outline.vertices);

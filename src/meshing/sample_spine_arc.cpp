@@ -199,7 +199,7 @@ class SpineArc {
   double largest_ = 0;
 };
 
-/// Inside the cell by more than the ends and their deviation can be wrong.
+/// Inside the cell by more than this distance.
 bool is_inside(const CellMap& cell, const Weights& w, double distance) {
   return *std::ranges::min_element(w) * cell.least_height() > distance;
 }
@@ -231,7 +231,7 @@ SampledArc sample_across(const CellMap& cell, const Vector& direction, const Arc
   arc.between.push_back(*middle);
   if (!spine.add_between(*middle, ends.second, allowed, arc)) return {};
   const double deviation = (spine.largest() + 4 * ends.error) * (1 + 0x1p-20);
-  if (is_inside(cell, *middle, deviation)) arc.deviation = deviation;
+  if (is_inside(cell, *middle, spine.error_at(*middle))) arc.deviation = deviation;
   for (const Weights& w : arc.between)
     arc.point_error = std::max(arc.point_error, spine.error_at(w));
   return arc;
