@@ -179,6 +179,19 @@ double RefinableField::weight(VertexId v, VertexId corner) const {
   return 0;
 }
 
+/// Each of four weights is off by at most the radius; together they are one up to 2^-50.
+double RefinableField::position_radius(VertexId v) const {
+  if (!is_enclosed(v)) return 0;
+  const Enclosed& e = enclosed_.at(v);
+  double longest = 0;
+  for (const VertexId i : e.vertices)
+    for (const VertexId j : e.vertices) {
+      const Point a = position(i), b = position(j);
+      longest = std::max(longest, std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]));
+    }
+  return 4 * (e.radius + 0x1p-50) * longest * (1 + 0x1p-20);
+}
+
 Point RefinableField::position(VertexId v) const {
   if (is_enclosed(v)) {
     const Enclosed& e = enclosed_.at(v);

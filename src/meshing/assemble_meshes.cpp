@@ -123,7 +123,7 @@ FeatureMesh assemble_curve(const PatchComplex& complex, const MeshedArcs& arcs) 
     const MeshedArc& arc = arcs[piece.use.arc];
     const std::size_t count = arc.points.size();
     const auto& ends = complex.arcs[piece.use.arc].ends;
-    const double deviation = arc.deviation;
+    const double deviation = arc.deviation + arc.position_error;
     std::uint32_t from = at_corner(ends[piece.use.reversed ? 1 : 0]);
     const auto add_segment = [&](std::uint32_t to) {
       mesh.segments.push_back({from, to});
@@ -134,7 +134,7 @@ FeatureMesh assemble_curve(const PatchComplex& complex, const MeshedArcs& arcs) 
     };
     for (std::size_t k = 0; k < count; ++k)
       add_segment(add(arc.points[piece.use.reversed ? count - 1 - k : k],
-                      std::isfinite(deviation) ? arc.point_error : deviation));
+                      std::isfinite(deviation) ? arc.point_error + arc.position_error : deviation));
     add_segment(at_corner(ends[piece.use.reversed ? 0 : 1]));
   }
   return mesh;

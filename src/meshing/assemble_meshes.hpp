@@ -10,7 +10,8 @@
 namespace triplex {
 
 /// Joins meshed patches to one indexed mesh per row of the table, and the arcs of the triple
-/// degenerate curve to its mesh. Vertices are numbered as they are met. Says nothing of the accuracy.
+/// degenerate curve to its mesh. Vertices are numbered as they are met. Says nothing of the
+/// accuracy.
 MeshedPatches assemble_meshes(const PatchComplex& complex, const MeshedArcs& arcs,
                               const std::vector<MeshedPatch>& patches);
 

@@ -29,14 +29,19 @@ CellMap::CellMap(const RefinableField& field, const std::array<VertexId, 4>& cel
   // all, twice the error of the corners, and what the sum of the weights lacks of one: at most
   // 2^-50 (the weights come from a handful of operations), times the largest entry.
   constexpr double kLackOfWeight = 0x1p-50;
+  is_usable_ = corners.usable();
   bounds_.magnitude = kMostWeight * corners.magnitude * (1 + 0x1p-20);
   bounds_.error =
       (kMostWeight * corners.error + (kMostWeight * gamma(4) + kLackOfWeight) * corners.magnitude) *
       (1 + 0x1p-20);
   // Corners are rounded once or twice, edges once more, each of the three products and sums as
   // well; per coordinate that is relative to the farthest one and to the edges, which are at most
-  // twice that long: 2 + 2 * 2 * 6 roundings; and the weights' lack of one.
-  position_error_ = std::sqrt(3.0) * farthest * (gamma(26) + 2 * kLackOfWeight) * (1 + 0x1p-20);
+  // twice that long: 2 + 2 * 2 * 6 roundings; the weights' lack of one; and corners known by
+  // enclosures.
+  double radius = 0;
+  for (const VertexId v : cell) radius = std::max(radius, field.position_radius(v));
+  position_error_ = kMostWeight * radius +
+                    std::sqrt(3.0) * farthest * (gamma(26) + 2 * kLackOfWeight) * (1 + 0x1p-20);
   invert_edges();
 }
 

@@ -26,6 +26,15 @@ inline Weights operator+(const Weights& a, const Weights& b) {
 inline Weights operator*(double s, const Weights& a) {
   return {s * a[0], s * a[1], s * a[2], s * a[3]};
 }
+/// The same point with weights that add up to one but for three roundings: the largest gives way.
+inline Weights corrected(Weights w) {
+  std::size_t largest = 0;
+  for (std::size_t i = 1; i < 4; ++i)
+    if (std::fabs(w[i]) > std::fabs(w[largest])) largest = i;
+  w[largest] = 0;
+  w[largest] = 1 - ((w[0] + w[1]) + (w[2] + w[3]));
+  return w;
+}
 /// The point of the segment from a to b at t.
 inline Weights between(const Weights& a, const Weights& b, double t) { return (1 - t) * a + t * b; }
 
@@ -55,6 +64,9 @@ class CellMap {
   Tensor<double> tensor(const Weights& w) const;
   /// Of the tensors that `tensor` returns.
   const EntryBounds& bounds() const { return bounds_; }
+  /// Whether bounds on forms of these tensors hold: entries are neither too small nor too
+  /// uncertain.
+  bool is_usable() const { return is_usable_; }
   /// How far `position` may be from the point with these weights, corrected so that they sum to
   /// one.
   double position_error() const { return position_error_; }
@@ -80,7 +92,7 @@ class CellMap {
   std::array<Vector, 4> corners_;
   std::array<Vector, 3> edges_;    // from corner 0
   std::array<Vector, 3> inverse_;  // rows: the gradients of weights 1, 2, 3
-  bool invertible_ = false;
+  bool invertible_ = false, is_usable_ = false;
   std::array<Tensor<double>, 4> tensors_;
   EntryBounds bounds_;
   double size_ = 0, position_error_ = 0, least_height_ = 0;

@@ -32,7 +32,7 @@ std::optional<Vector> gradient_at(const CellMap& cell, const SurfaceFunction& f,
 Bounds growth_along(const CellMap& cell, const SurfaceFunction& f,
                     std::span<const Tensor<double>> hull, const Weights& direction) {
   const double sum = CellMap::total(direction);
-  if (!(sum > 0) || !std::isfinite(1 / sum)) return {-1, 1};
+  if (!cell.is_usable() || !(sum > 0) || !std::isfinite(1 / sum)) return {-HUGE_VAL, HUGE_VAL};
   const Weights w = (CellMap::kMostWeight / sum * (1 - 0x1p-40)) * direction;
   const double length = cell.offset(w).norm();
   const double error = 2 * cell.position_error();  // of both ends
@@ -48,33 +48,31 @@ std::optional<Chart> chart_along(const CellMap& cell, const SurfaceFunction& f,
                                  const Vector& direction) {
   const double length = direction.norm();
   if (!(length > 0) || !std::isfinite(1 / length)) return std::nullopt;
-  Chart chart;
-  chart.origin = cell.corner(0);
-  chart.up = direction / length;
-  const auto up = cell.direction(chart.up);
+  const auto up = cell.direction(direction / length);
   if (!up) return std::nullopt;
   const auto hull = corner_tensors(cell);
   const Bounds growth = growth_along(cell, f, hull, *up);
   if (!(growth.low > 0 || growth.high < 0)) return std::nullopt;
-  chart.up_weights = *up;
-  if (growth.low <= 0) {
-    chart.up = -chart.up;
-    chart.up_weights = -1.0 * chart.up_weights;
-  }
+  Chart chart;
+  chart.origin = cell.corner(0);
+  chart.up_weights = growth.low > 0 ? *up : -1.0 * *up;
+  chart.up = cell.offset(chart.up_weights).normalized();
   chart.rise = std::min(std::fabs(growth.low), std::fabs(growth.high)) * (1 - 0x1p-18);
+  // The vector of the weights is computed with an error of 2^-50 of the sum of its terms; over the
+  // length of the cell points move by that.
+  chart.drift = 0x1p-50 * CellMap::total(*up) * cell.size() * cell.size();
 
   chart.across1 = chart.up.unitOrthogonal();
   chart.across2 = chart.up.cross(chart.across1);
-  double square = growth.largest() * growth.largest();
-  for (const Vector& across : {chart.across1, chart.across2}) {
-    const auto w = cell.direction(across);
+  std::array<double, 3> most = {growth.largest(), 0, 0};
+  for (std::size_t k = 1; k < 3; ++k) {
+    const auto w = cell.direction(k == 1 ? chart.across1 : chart.across2);
     if (!w) return std::nullopt;
-    const double most = growth_along(cell, f, hull, *w).largest();
-    square += most * most;
+    most[k] = growth_along(cell, f, hull, *w).largest();
   }
   // Directions are orthonormal to 2^-50 and their weights right to 2^-24.
-  chart.steepest = std::sqrt(square) * (1 + 0x1p-18);
-  return std::isfinite(chart.steepest) ? std::optional(chart) : std::nullopt;
+  chart.steepest = std::hypot(most[0], most[1], most[2]) * (1 + 0x1p-18);
+  return std::isfinite(chart.steepest) && chart.steepest > 0 ? std::optional(chart) : std::nullopt;
 }
 
 Vector steepest_at_worst(const CellMap& cell, const SurfaceFunction& f,
@@ -113,7 +111,7 @@ std::optional<Weights> move_to_surface(const CellMap& cell, const SurfaceFunctio
     if (step == 0 || (std::fabs(step) >= last && std::fabs(step) < 1e-10 * reach)) break;
     last = std::fabs(step);
   }
-  return from + moved * direction;
+  return corrected(from + moved * direction);
 }
 
 }  // namespace triplex

@@ -17,6 +17,7 @@ struct Chart {
   Vector up, across1, across2;  ///< orthonormal up to rounding
   Weights up_weights{};         ///< of `up`
   double rise = 0;              ///< f grows at least by this per unit of length along `up`
+  double drift = 0;             ///< how far `project` may be from the projection along `up_weights`
   double steepest = 0;          ///< f changes at most by this per unit of length in any direction
 
   std::array<double, 2> project(const Vector& position) const {

@@ -160,9 +160,10 @@ class PatchMeshing::State {
       add_vertices(patch.error < kInfinite ? patch.vertex_error : kInfinite, patch.inside.size());
     }
     for (std::uint32_t n = 0; n < complex_.corners.size(); ++n)
-      add_vertices(arcs_.corner_error(n), 1);
+      add_vertices(arcs_.corner_position_error(n), 1);
     for (std::uint32_t n = 0; n < complex_.arcs.size(); ++n)
-      add_vertices(arcs_[n].deviation < kInfinite ? arcs_[n].point_error : kInfinite,
+      add_vertices(arcs_[n].deviation < kInfinite ? arcs_[n].point_error + arcs_[n].position_error
+                                                  : kInfinite,
                    arcs_[n].points.size());
     return accuracy;
   }

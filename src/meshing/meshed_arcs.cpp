@@ -70,20 +70,26 @@ void MeshedArcs::find_hosts() {
 /// a face at each corner is enough to tell.
 void MeshedArcs::bound_corner_errors() {
   const auto none = static_cast<std::uint32_t>(complex_.arcs.size());
-  std::vector<std::uint32_t> arc_at(complex_.corners.size(), none);
+  arc_at_.assign(complex_.corners.size(), none);
   for (std::uint32_t n = 0; n < none; ++n)
     if (complex_.arcs[n].vertices == 3)
       for (const std::uint32_t corner : complex_.arcs[n].ends)
-        arc_at[corner] = std::min(arc_at[corner], n);
+        arc_at_[corner] = std::min(arc_at_[corner], n);
   tbb::parallel_for(std::size_t{0}, complex_.corners.size(), [&](std::size_t n) {
     const PatchCorner& corner = complex_.corners[n];
     corner_error_[n] = corner.error;
-    if (corner.vertices != 2 || arc_at[n] == none) return;
-    const SurfaceFunction& f = functions_[index(complex_.arcs[arc_at[n]].feature)];
-    const auto& host = hosts_[arc_at[n]];
+    if (corner.vertices != 2 || arc_at_[n] == none) return;
+    const SurfaceFunction& f = functions_[index(complex_.arcs[arc_at_[n]].feature)];
+    const auto& host = hosts_[arc_at_[n]];
     const CellMap cell(*complex_.field, host, f.takes_trace());
     corner_error_[n] = std::min(corner.error, error_on_edge(cell, f, corner_in_cell(corner, host)));
   });
+}
+
+double MeshedArcs::corner_position_error(std::uint32_t corner) const {
+  const std::uint32_t arc = arc_at_[corner];
+  return arc < arcs_.size() ? corner_error_[corner] + arcs_[arc].position_error
+                            : std::numeric_limits<double>::infinity();
 }
 
 std::vector<bool> MeshedArcs::sample(const std::vector<ArcTarget>& targets) {
@@ -115,7 +121,8 @@ MeshedArc MeshedArcs::sampled(std::uint32_t n, const ArcTarget& target) const {
   MeshedArc result;
   result.target = target;
   result.deviation = arc.certified ? found.deviation : std::numeric_limits<double>::infinity();
-  result.value = found.value;
+  result.value = arc.certified ? found.value : std::numeric_limits<double>::infinity();
+  result.position_error = cell.position_error();
   result.point_error = found.point_error;
   for (const Weights& w : found.between) {
     const Vector x = cell.position(w);

@@ -25,6 +25,7 @@ struct MeshedArc {
   /// See `SampledArc`; infinite where the arc is not certified.
   double deviation = 0, value = 0;
   double point_error = 0;
+  double position_error = 0;  ///< what rounding adds to each of these
 };
 
 /// The arcs of a complex, each sampled once for all patches that share it.
@@ -37,8 +38,10 @@ class MeshedArcs {
   std::vector<bool> sample(const std::vector<ArcTarget>& targets);
 
   const MeshedArc& operator[](std::uint32_t arc) const { return arcs_[arc]; }
-  /// How far a corner may be from the true point, in units of length.
+  /// How far a corner's weights may be from the true point, in units of length.
   double corner_error(std::uint32_t corner) const { return corner_error_[corner]; }
+  /// The same of its position.
+  double corner_position_error(std::uint32_t corner) const;
 
  private:
   void find_hosts();
@@ -51,6 +54,7 @@ class MeshedArcs {
   std::vector<std::array<VertexId, 4>> hosts_;
   std::vector<MeshedArc> arcs_;
   std::vector<double> corner_error_;
+  std::vector<std::uint32_t> arc_at_;  // an arc at each corner; arcs_.size() if there is none
 };
 
 }  // namespace triplex

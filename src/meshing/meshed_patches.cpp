@@ -103,10 +103,12 @@ std::optional<Chart> chart_of(const PatchComplex& complex, const Patch& patch, c
 MeshedPatch mesh_patch(const PatchComplex& complex, const MeshedArcs& arcs, const Patch& patch,
                        const SurfaceFunction& f, double tolerance, bool keep_tensors) {
   const CellMap cell(*complex.field, patch.cell, f.takes_trace());
-  // Rounding is added at the end: room for it.
-  const double positions = 2 * cell.position_error();
-  const double wanted = (tolerance - positions) * (1 - 0x1p-16);
   const auto chart = chart_of(complex, patch, cell, f);
+  // Rounding moves points and their projections, and f there by at most the steepest growth; it is
+  // added at the end, so there has to be room for it.
+  const double moved = 2 * (cell.position_error() + (chart ? chart->drift : 0));
+  const double positions = chart ? moved * (1 + chart->steepest / chart->rise) : moved;
+  const double wanted = (tolerance - positions) * (1 - 0x1p-16);
   Outline outline = outline_of(complex, arcs, patch, chart);
   PatchTriangles result =
       triangulate_patch({cell, f, chart, outline.weights, outline.deviation, outline.value},

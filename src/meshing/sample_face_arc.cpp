@@ -19,7 +19,8 @@ constexpr int kMostCuts = 16;
 /// On a face, f grows at least by `rise` along `up`: the arc is a graph over the line across it.
 struct FaceChart {
   Weights up;
-  double rise = 0, stretch = 1;  // see Chart
+  double rise = 0, steepest = 0;  // see Chart
+  double stretch = 1;             // length of the graph per length across
 };
 
 std::array<Tensor<double>, 3> face_tensors(const CellMap& cell, std::size_t lacking) {
@@ -52,9 +53,10 @@ class FaceArc {
     FaceChart chart;
     chart.up = growth.low > 0 ? *up : -1.0 * *up;
     chart.rise = std::min(std::fabs(growth.low), std::fabs(growth.high)) * (1 - 0x1p-18);
-    const double slope =
-        growth_along(cell_, f_, corners_, *across).largest() / chart.rise * (1 + 0x1p-16) + 0x1p-16;
+    const double sideways = growth_along(cell_, f_, corners_, *across).largest();
+    const double slope = sideways / chart.rise * (1 + 0x1p-16) + 0x1p-16;
     chart.stretch = std::hypot(1.0, slope);
+    chart.steepest = std::hypot(growth.largest(), sideways) * (1 + 0x1p-16);
     return std::isfinite(slope) ? std::optional(chart) : std::nullopt;
   }
 
@@ -84,6 +86,7 @@ class FaceArc {
   bool add_between(const FaceChart& chart, const Weights& a, const Weights& b, double target,
                    SampledArc& arc, int cuts = 0) const {
     const double now = largest_value(a, b);
+    if (!std::isfinite(now) || !(target >= 0)) return false;
     if (now <= target) {
       largest_ = std::max(largest_, now);
       return true;
@@ -159,7 +162,7 @@ SampledArc sample_face_arc(const CellMap& cell, const SurfaceFunction& f, std::s
     arc.between.clear();
     return arc;
   }
-  arc.value = face.largest();
+  arc.value = std::max(face.largest(), chart->steepest * ends.error);
   arc.deviation = (face.largest() / chart->rise + of_ends) * (1 + 0x1p-20);
   for (const Weights& w : arc.between)
     arc.point_error = std::max(arc.point_error, face.error_at(*chart, w));

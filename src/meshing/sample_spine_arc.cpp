@@ -34,6 +34,7 @@ Matrix jacobian(const Tensor<double>& a, const std::array<Tensor<double>, 2>& al
   return j;
 }
 
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr int kMostHalvings = 24;
 
 constexpr Weights kCentroid = {0.25, 0.25, 0.25, 0.25};
@@ -43,6 +44,7 @@ constexpr Weights kCentroid = {0.25, 0.25, 0.25, 0.25};
 struct Slices {
   std::array<Weights, 2> across;
   std::array<Tensor<double>, 2> tensors;  // of `across`
+  Vector normal;
 };
 
 class SpineArc {
@@ -75,11 +77,15 @@ class SpineArc {
     return add_between(*middle, b, target, arc, halvings + 1);
   }
   double largest() const { return largest_; }
-  /// How far a point between proven segments may be from the curve's point in its slice.
+  /// How far a point between proven segments may be from the curve's point in its slice: with C of
+  /// its own |I - C J| <= 1/2 around it too, or nothing is said.
   double error_at(const Weights& w) const {
     const Matrix c = jacobian(cell_.tensor(w), slices_->tensors).inverse();
-    // |I - C J| <= 1/2 holds with another C nearby; k <= 3/4 leaves room for the difference.
-    return std::sqrt(2.0) * 4 * largest_residual(c, {cell_.tensor(w), cell_.tensor(w)}) * kSlack;
+    if (!c.allFinite()) return kInfinite;
+    const double residual = largest_residual(c, {cell_.tensor(w), cell_.tensor(w)});
+    if (!std::isfinite(residual) || !(defect_around(c, w, w, 2 * residual) <= 0.5))
+      return kInfinite;
+    return std::sqrt(2.0) * 2 * residual * kSlack;
   }
 
   /// The curve's point in the slice through `from`.
@@ -96,17 +102,17 @@ class SpineArc {
       if (step.norm() == 0 || (step.norm() >= last && step.norm() < 1e-10 * reach)) break;
       last = step.norm();
     }
-    return at(from, moved);
+    return corrected(at(from, moved));
   }
 
  private:
   std::optional<Slices> slices(const Vector& direction) const {
     const Vector tangent = direction.normalized();
-    if (!tangent.allFinite()) return std::nullopt;
+    if (!cell_.is_usable() || !tangent.allFinite()) return std::nullopt;
     const Vector first = tangent.unitOrthogonal();
     const auto u = cell_.direction(first), v = cell_.direction(tangent.cross(first));
     if (!u || !v) return std::nullopt;
-    return Slices{{*u, *v}, {cell_.tensor(*u), cell_.tensor(*v)}};
+    return Slices{{*u, *v}, {cell_.tensor(*u), cell_.tensor(*v)}, tangent};
   }
 
   /// For every point of the segment, drawn out by the error of the arc's ends: how far in its slice
@@ -115,15 +121,17 @@ class SpineArc {
   /// y -> y - C F(y) a contraction, and |C F| <= e at the segment a self-map of the square of
   /// half-width e / (1 - k).
   std::optional<double> deviation(const Weights& first, const Weights& second) const {
-    const double length = (cell_.offset(second) - cell_.offset(first)).norm();
-    if (!(length > error_)) return std::nullopt;
-    const double beyond = error_ / length * kSlack;
+    const Vector chord = cell_.offset(second) - cell_.offset(first);
+    const double along = std::fabs(slices_->normal.dot(chord));
+    if (!(along > error_ && along >= chord.norm() / 2)) return std::nullopt;
+    const double beyond = error_ / along * kSlack;
     const Weights a = triplex::between(first, second, -beyond);
     const Weights b = triplex::between(first, second, 1 + beyond);
     const Matrix at_middle = jacobian(cell_.tensor(triplex::between(a, b, 0.5)), slices_->tensors);
     const Matrix c = at_middle.inverse();
     if (!c.allFinite()) return std::nullopt;
     const double residual = largest_residual(c, {cell_.tensor(a), cell_.tensor(b)});
+    if (!std::isfinite(residual)) return std::nullopt;
     const double k = defect_around(c, a, b, std::max(2 * residual, 4 * error_));
     if (!(k <= 0.5)) return std::nullopt;
     return std::sqrt(2.0) * residual / (1 - k) * kSlack;
@@ -156,7 +164,11 @@ class SpineArc {
     std::size_t n = 0;
     for (const Weights& end : {a, b})
       for (const double x : {-radius, radius})
-        for (const double y : {-radius, radius}) corners[n++] = cell_.tensor(at(end, {x, y}));
+        for (const double y : {-radius, radius}) {
+          const Weights corner = at(end, {x, y});
+          if (!(CellMap::total(corner) <= CellMap::kMostWeight)) return kInfinite;
+          corners[n++] = cell_.tensor(corner);
+        }
     return largest_defect(c, corners);
   }
 

@@ -21,9 +21,10 @@ constexpr double kSlack = 1 + 0x1p-20;  // covers the roundings of a bound's own
 /// Grows to hold what it is given.
 class Hull {
  public:
+  /// What is no number makes both ends infinite.
   void add(double x) {
-    low_ = std::fmin(low_, x);
-    high_ = std::fmax(high_, x);
+    if (!(x >= low_)) low_ = std::isnan(x) ? -std::numeric_limits<double>::infinity() : x;
+    if (!(x <= high_)) high_ = std::isnan(x) ? std::numeric_limits<double>::infinity() : x;
   }
   Bounds widened(double error) const { return {low_ - error, high_ + error}; }
   double low() const { return low_; }

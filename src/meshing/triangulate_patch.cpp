@@ -59,6 +59,7 @@ double error_up(const PatchOutline& outline, const Chart& chart,
   const double value = outline.f.largest_value<3>(
       {cell.tensor(corners[0]), cell.tensor(corners[1]), cell.tensor(corners[2])}, cell.bounds());
   const double coarse = value / chart.rise * (1 + 0x1p-20);
+  if (!std::isfinite(coarse)) return std::numeric_limits<double>::infinity();
   if (coarse <= allowed || !(coarse < cell.size())) return coarse;
   std::array<Tensor<double>, 6> prism;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -292,6 +293,8 @@ class PatchMesher {
     const double whole = area(a, b, c);
     if (!(whole > 0)) return std::nullopt;
     const double u = area(p, b, c) / whole, v = area(a, p, c) / whole;
+    if (!(std::min({u, v, 1 - u - v}) >= -1 && std::max({u, v, 1 - u - v}) <= 2))
+      return std::nullopt;
     const Weights flat = u * weights(face->vertex(0)) +
                          (v * weights(face->vertex(1)) + (1 - u - v) * weights(face->vertex(2)));
     return move_to_surface(outline_.cell, outline_.f, flat, plane_.up_weights,

@@ -62,6 +62,9 @@ class RefinableField {
   Tensor<Exact> exact_tensor(VertexId v) const;
   /// The position, rounded once per coordinate combination (exact for vertices of the input).
   Point position(VertexId v) const;
+  /// How far `position` of a vertex that is known by an enclosure may be from the true one, in units
+  /// of length; 0 for others.
+  double position_radius(VertexId v) const;
   /// Times `denominator`. \pre not enclosed.
   std::array<Exact, 3> exact_position(VertexId v) const;
   /// log2 of the factor that `approximate` was multiplied by.
