@@ -17,8 +17,8 @@ struct SampledArc {
   /// A bound on the distance between points of the arc and of the polyline that correspond to each
   /// other; infinite where nothing is proven. Without what rounding of positions adds.
   double deviation = std::numeric_limits<double>::infinity();
-  /// A bound on |f| on the paths between points that correspond; infinite for the triple degenerate curve, which is no
-  /// surface's.
+  /// A bound on |f| on the paths between points that correspond; infinite for the triple degenerate
+  /// curve, which is no surface's.
   double value = std::numeric_limits<double>::infinity();
   /// A bound on the distance of the points between from the arc, if `deviation` is finite.
   double point_error = 0;
