@@ -90,7 +90,7 @@ TEST(Report, HasTheDocumentedKeys) {
     } else {
       EXPECT_THAT(keys(feature),
                   UnorderedElementsAre("vertices", "triangles", "components", "euler",
-                                       "boundary_loops", "area", "unresolved"));
+                                       "boundary_loops", "area", "smallest_angles", "unresolved"));
     }
   }
   ASSERT_FALSE(report["unresolved"].empty());  // noise, two bisections: some cell stays open

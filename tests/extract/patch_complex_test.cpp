@@ -116,8 +116,8 @@ TEST_P(PatchComplexLaws, CornersLieWhereTheirWeightsSay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fields, PatchComplexLaws,
-                         testing::Values("lorenz", "random-linear", "abc"), [](const auto& info) {
-                           std::string name = info.param;
+                         testing::Values("lorenz", "random-linear", "abc"), [](const auto& p) {
+                           std::string name = p.param;
                            std::ranges::replace(name, '-', '_');
                            return name;
                          });
