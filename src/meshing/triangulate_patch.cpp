@@ -13,6 +13,9 @@
 #include <iterator>
 #include <utility>
 
+#include "least_disc.hpp"
+#include "patch_error.hpp"
+
 namespace triplex {
 namespace {
 
@@ -48,36 +51,6 @@ double squared_least_sine(const Point2& a, const Point2& b, const Point2& c) {
   std::ranges::sort(sides);
   const double twice_area = (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
   return twice_area * twice_area / (sides[1] * sides[2]);
-}
-
-/// How far up or down the surface is from a triangle, at most: |f| over the growth of f, first in
-/// the whole cell; then, if that is more than what is allowed, between the triangle moved up and
-/// moved down by it.
-double error_up(const PatchOutline& outline, const Chart& chart,
-                const std::array<Weights, 3>& corners, double allowed) {
-  const CellMap& cell = outline.cell;
-  const double value = outline.f.largest_value<3>(
-      {cell.tensor(corners[0]), cell.tensor(corners[1]), cell.tensor(corners[2])}, cell.bounds());
-  const double coarse = value / chart.rise * (1 + 0x1p-20);
-  if (!std::isfinite(coarse)) return std::numeric_limits<double>::infinity();
-  if (coarse <= allowed || !(coarse < cell.size())) return coarse;
-  std::array<Tensor<double>, 6> prism;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Weights above = corners[k] + coarse * chart.up_weights;
-    const Weights below = corners[k] + -coarse * chart.up_weights;
-    if (CellMap::total(above) > CellMap::kMostWeight ||
-        CellMap::total(below) > CellMap::kMostWeight)
-      return coarse;
-    prism[k] = cell.tensor(above);
-    prism[k + 3] = cell.tensor(below);
-  }
-  const Bounds growth = growth_along(cell, outline.f, prism, chart.up_weights);
-  return growth.low > chart.rise ? value / growth.low * (1 + 0x1p-17) : coarse;
-}
-
-/// What the boundary's polyline adds to the distances.
-double error_at_boundary(const PatchOutline& outline, const Chart& chart) {
-  return (outline.value / chart.rise + outline.deviation) * (1 + 0x1p-20);
 }
 
 class PatchMesher {
@@ -328,96 +301,6 @@ std::optional<Chart> plane_of(const PatchOutline& outline) {
   return plane;
 }
 
-/// Of a polygon that may touch or cross itself, in the plane of the chart: the disc with the least
-/// sum of areas, without points inside, by dynamic programming over its diagonals.
-class LeastTriangulation {
- public:
-  LeastTriangulation(const PatchOutline& outline, const Chart& chart)
-      : outline_(outline), n_(outline.boundary.size()), best_(n_ * n_), apex_(n_ * n_) {
-    for (const Weights& w : outline.boundary) {
-      const auto [x, y] = chart.project(outline.cell.position(w));
-      points_.emplace_back(x, y);
-    }
-    for (std::size_t span = 2; span < n_; ++span)
-      for (std::size_t i = 0; i + span < n_; ++i) choose_apex(i, i + span);
-  }
-
-  /// The polygon has n^3 / 6 triangles: more corners than this are left to a fan.
-  static constexpr std::size_t kMostCorners = 400;
-
-  std::vector<std::array<std::uint32_t, 3>> triangles() const {
-    std::vector<std::array<std::uint32_t, 3>> result;
-    collect(0, n_ - 1, result);
-    return result;
-  }
-
- private:
-  void choose_apex(std::size_t i, std::size_t j) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = i + 1; k < j; ++k) {
-      const double area = std::fabs((points_[k] - points_[i]).x() * (points_[j] - points_[i]).y() -
-                                    (points_[k] - points_[i]).y() * (points_[j] - points_[i]).x());
-      const double sum = area + best_[i * n_ + k] + best_[k * n_ + j];
-      if (sum < least) {
-        least = sum;
-        apex_[i * n_ + j] = k;
-      }
-    }
-    best_[i * n_ + j] = least;
-  }
-  void collect(std::size_t i, std::size_t j,
-               std::vector<std::array<std::uint32_t, 3>>& triangles) const {
-    if (j - i < 2) return;
-    const std::size_t k = apex_[i * n_ + j];
-    triangles.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k),
-                         static_cast<std::uint32_t>(j)});
-    collect(i, k, triangles);
-    collect(k, j, triangles);
-  }
-
-  const PatchOutline& outline_;
-  const std::size_t n_;
-  std::vector<Point2> points_;
-  std::vector<double> best_;
-  std::vector<std::size_t> apex_;
-};
-
-/// The bound for a disc whose triangles may be folded over in the plane. Where the outline does not
-/// wind around a point, triangles that are turned the right way lie over it only together with ones
-/// that are turned the wrong way; and these are no farther from the outline than their width.
-double error_of_tangled(const PatchOutline& outline,
-                        std::span<const std::array<std::uint32_t, 3>> triangles) {
-  const auto n = static_cast<std::uint32_t>(outline.boundary.size());
-  const Chart& chart = *outline.chart;
-  std::vector<Vector> x;
-  double twice_area = 0;
-  for (const Weights& w : outline.boundary) x.push_back(outline.cell.position(w) - chart.origin);
-  const auto twice = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    return chart.up.dot((x[b] - x[a]).cross(x[c] - x[a]));
-  };
-  for (const auto& [a, b, c] : triangles) twice_area += twice(a, b, c);
-  double up = 0, width = 0;
-  for (const auto& t : triangles) {
-    up = std::max(
-        up, error_up(outline, chart,
-                     {outline.boundary[t[0]], outline.boundary[t[1]], outline.boundary[t[2]]}, 0));
-    // Areas are right to a few roundings of the squared size of the cell.
-    const double turned = twice(t[0], t[1], t[2]) * (twice_area < 0 ? -1 : 1);
-    if (turned > 0x1p-40 * outline.cell.size() * outline.cell.size()) continue;
-    double narrow = std::max(
-        {(x[t[0]] - x[t[1]]).norm(), (x[t[1]] - x[t[2]]).norm(), (x[t[0]] - x[t[2]]).norm()});
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
-      if ((a + 1) % n != b && (b + 1) % n != a) continue;
-      const Vector side = x[b] - x[a];
-      const double along = std::clamp(side.dot(x[c] - x[a]) / side.squaredNorm(), 0.0, 1.0);
-      narrow = std::min(narrow, (x[c] - x[a] - along * side).norm());
-    }
-    width = std::max(width, narrow);
-  }
-  return (up + error_at_boundary(outline, chart) + (width > 0 ? width + up : 0)) * (1 + 0x1p-20);
-}
-
 PatchTriangles fan(std::size_t corners) {
   PatchTriangles result;
   for (std::uint32_t i = 1; i + 1 < corners; ++i) result.triangles.push_back({0, i, i + 1});
@@ -444,9 +327,12 @@ PatchTriangles triangulate_patch(const PatchOutline& outline, double tolerance) 
     if (is_proven && tolerance < kInfinite) mesher.refine();
     return mesher.take(is_proven);
   }
-  if (outline.boundary.size() > LeastTriangulation::kMostCorners) return without_chart(outline);
+  if (outline.boundary.size() > kMostCornersOfLeastDisc) return without_chart(outline);
   PatchTriangles result;
-  result.triangles = LeastTriangulation(outline, *outline.chart).triangles();
+  std::vector<std::array<double, 2>> corners;
+  for (const Weights& w : outline.boundary)
+    corners.push_back(outline.chart->project(outline.cell.position(w)));
+  result.triangles = least_disc(corners);
   result.is_tangled = is_proven;
   if (is_proven) result.error = error_of_tangled(outline, result.triangles);
   return result;
