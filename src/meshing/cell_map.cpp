@@ -62,7 +62,7 @@ void CellMap::invert_edges() {
   const Vector of_first = -(inverse_[0] + inverse_[1] + inverse_[2]);
   double steepest = of_first.norm();
   for (const Vector& row : inverse_) steepest = std::max(steepest, row.norm());
-  least_height_ = (1 - 0x1p-18) / steepest;
+  least_height_ = std::max(0.0, (1 - 0x1p-18) / steepest - 4 * position_error_);
 }
 
 Tensor<double> CellMap::tensor(const Weights& w) const {

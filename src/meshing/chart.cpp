@@ -36,9 +36,10 @@ Bounds growth_along(const CellMap& cell, const SurfaceFunction& f,
   const Weights w = (CellMap::kMostWeight / sum * (1 - 0x1p-40)) * direction;
   const double length = cell.offset(w).norm();
   const double error = 2 * cell.position_error();  // of both ends
-  if (!(length > 0x1p20 * error)) return {-HUGE_VAL, HUGE_VAL};
+  if (!(length > kLeastLength * error)) return {-HUGE_VAL, HUGE_VAL};
   Bounds growth = f.derivative_on(hull, cell.tensor(w), cell.bounds());
-  const double longest = length * (1 + 0x1p-19), shortest = length * (1 - 0x1p-19);
+  const double longest = (length + error) * (1 + 0x1p-40);
+  const double shortest = (length - error) * (1 - 0x1p-40);
   growth.low /= growth.low > 0 ? longest : shortest;
   growth.high /= growth.high > 0 ? shortest : longest;
   return growth;
@@ -58,9 +59,9 @@ std::optional<Chart> chart_along(const CellMap& cell, const SurfaceFunction& f,
   chart.up_weights = growth.low > 0 ? *up : -1.0 * *up;
   chart.up = cell.offset(chart.up_weights).normalized();
   chart.rise = std::min(std::fabs(growth.low), std::fabs(growth.high)) * (1 - 0x1p-18);
-  // The vector of the weights is computed with an error of 2^-50 of the sum of its terms; over the
-  // length of the cell points move by that.
-  chart.drift = 0x1p-50 * CellMap::total(*up) * cell.size() * cell.size();
+  // The vector of the weights is as wrong as positions are, times the sum of the weights (which
+  // also covers the roundings of its terms); over the length of the cell points move by that.
+  chart.drift = 2 * CellMap::total(*up) * cell.position_error() * cell.size();
 
   chart.across1 = chart.up.unitOrthogonal();
   chart.across2 = chart.up.cross(chart.across1);
@@ -70,8 +71,8 @@ std::optional<Chart> chart_along(const CellMap& cell, const SurfaceFunction& f,
     if (!w) return std::nullopt;
     most[k] = growth_along(cell, f, hull, *w).largest();
   }
-  // Directions are orthonormal to 2^-50 and their weights right to 2^-24.
-  chart.steepest = std::hypot(most[0], most[1], most[2]) * (1 + 0x1p-18);
+  // The true directions are orthonormal up to 2 / kLeastLength each.
+  chart.steepest = std::hypot(most[0], most[1], most[2]) * (1 + 16 / kLeastLength);
   return std::isfinite(chart.steepest) && chart.steepest > 0 ? std::optional(chart) : std::nullopt;
 }
 

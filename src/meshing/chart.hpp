@@ -43,6 +43,10 @@ Vector steepest_at_worst(const CellMap& cell, const SurfaceFunction& f,
 /// The gradient of f at a point of the cell, in doubles; nothing in a flat cell.
 std::optional<Vector> gradient_at(const CellMap& cell, const SurfaceFunction& f, const Weights& w);
 
+/// Directions whose vectors are less than this many times as long as they may be wrong are not
+/// used.
+inline constexpr double kLeastLength = 0x1p10;
+
 /// Bounds on the growth of f per unit of length on the hull of some tensors of the cell, along the
 /// direction with these weights.
 Bounds growth_along(const CellMap& cell, const SurfaceFunction& f,

@@ -12,6 +12,8 @@ namespace triplex {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
+/// Of directions that are orthonormal up to 2 / kLeastLength each.
+constexpr double kSlack = 16 / kLeastLength;
 
 /// How often a segment is cut, each time into two parts or more.
 constexpr int kMostCuts = 16;
@@ -54,9 +56,9 @@ class FaceArc {
     chart.up = growth.low > 0 ? *up : -1.0 * *up;
     chart.rise = std::min(std::fabs(growth.low), std::fabs(growth.high)) * (1 - 0x1p-18);
     const double sideways = growth_along(cell_, f_, corners_, *across).largest();
-    const double slope = sideways / chart.rise * (1 + 0x1p-16) + 0x1p-16;
+    const double slope = sideways / chart.rise * (1 + kSlack) + kSlack;
     chart.stretch = std::hypot(1.0, slope);
-    chart.steepest = std::hypot(growth.largest(), sideways) * (1 + 0x1p-16);
+    chart.steepest = std::hypot(growth.largest(), sideways) * (1 + kSlack);
     return std::isfinite(slope) ? std::optional(chart) : std::nullopt;
   }
 

@@ -112,6 +112,9 @@ class SpineArc {
     const Vector first = tangent.unitOrthogonal();
     const auto u = cell_.direction(first), v = cell_.direction(tangent.cross(first));
     if (!u || !v) return std::nullopt;
+    // What is wrong with their lengths has to be within kSlack.
+    const double most = std::max(CellMap::total(*u), CellMap::total(*v));
+    if (!(most * cell_.position_error() < 0x1p-21)) return std::nullopt;
     return Slices{{*u, *v}, {cell_.tensor(*u), cell_.tensor(*v)}, tangent};
   }
 
