@@ -148,7 +148,7 @@ class Builder {
     const std::uint32_t a = corner(from), b = corner(to);
     const bool certified = !contains(leaf.open, Feature::TripleCurve);
     pieces_.push_back({in_cell(leaf, a, b), 0, certified});
-    result_.curve.push_back({{0, a > b}, input_.source_cell(leaf.input), certified});
+    result_.curve.push_back({{0, a > b}, leaf.input, input_.source_cell(leaf.input), certified});
   }
 
   static std::array<std::uint32_t, 2> ascending(std::uint32_t a, std::uint32_t b) {

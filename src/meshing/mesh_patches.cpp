@@ -86,11 +86,11 @@ class PatchMeshing::State {
   }
 
   /// What was asked for, and what patch n is meshed to.
-  double wanted_of(std::size_t n) const {
-    const Patch& patch = complex_.patches[n];
-    return options_.tolerance ? options_.tolerance->at(longest_edge_approx(input_, patch.input))
+  double wanted_in(TetId tet) const {
+    return options_.tolerance ? options_.tolerance->at(longest_edge_approx(input_, tet))
                               : kInfinite;
   }
+  double wanted_of(std::size_t n) const { return wanted_in(complex_.patches[n].input); }
   double tolerance_of(std::size_t n) const { return part_[n] * wanted_of(n); }
 
   /// In slices, so that an interrupt is seen.
@@ -137,6 +137,8 @@ class PatchMeshing::State {
       for (const ArcUse& use : complex_.boundary(complex_.patches[n]))
         targets[use.arc].include(complex_.arcs[use.arc].vertices == 3 ? shares[n].of_surface
                                                                       : shares[n].of_curve);
+    for (const CurvePiece& piece : complex_.curve)
+      targets[piece.use.arc].include({wanted_in(piece.input) / 2});
     return targets;
   }
 

@@ -331,6 +331,42 @@ TEST(MeshPatches, AreasConvergeAtSecondOrderToTheClosedForm) {
   EXPECT_LT(triangles[1], 150 * triangles[0]);
 }
 
+// Two branches y = (a^3 - (22/3) x^2) / (10 x), z = (8179/27 - x^2) / 10, a = 17/9, mirror images
+// of each other, from y = 30 to z = 0.
+TEST(MeshPatches, TheCurveConvergesToTheLengthOfItsClosedForm) {
+  const double a3 = std::pow(17.0 / 9, 3), b = 22.0 / 3;
+  const double first = (-300 + std::sqrt(90000 + 4 * b * a3)) / (2 * b);
+  const double last = std::sqrt(8179.0 / 27);
+  double exact = 0;  // Simpson's rule in log x
+  constexpr int kSteps = 20000;
+  const double h = std::log(last / first) / kSteps;
+  for (int n = 0; n <= kSteps; ++n) {
+    const double x = first * std::exp(n * h);
+    const double dy = -(a3 / (x * x) + b) / 10, dz = -x / 5;
+    const double weight = n == 0 || n == kSteps ? 1 : n % 2 == 1 ? 4 : 2;
+    exact += 2 * weight * h / 3 * x * std::sqrt(1 + dy * dy + dz * dz);
+  }
+  GridOptions grid;
+  grid.n = 2;
+  const TensorField field = generate_lorenz(grid);
+  std::array<double, 2> errors{};
+  for (std::size_t n = 0; n < 2; ++n) {
+    ExtractionOptions options;
+    options.features = bit(Feature::TripleCurve);
+    options.keep_patches = true;
+    const Tolerance tolerance{n == 0 ? 1e-3 : 1e-6, true};
+    const Extraction extraction = extract(field, options);
+    MeshingOptions meshing;
+    meshing.tolerance = tolerance;
+    const MeshedPatches patches = mesh_patches(field, *extraction.patches, meshing);
+    const FeatureMesh& curve = patches.features[index(Feature::TripleCurve)];
+    errors[n] = std::fabs(length_approx(curve.points, curve.segments) - exact) / exact;
+  }
+  EXPECT_LT(errors[0], 1e-3);
+  EXPECT_LT(errors[1], 1e-6);
+  EXPECT_LT(errors[1], errors[0] / 30);
+}
+
 TEST(MeshPatches, ToleranceChangesNoTopology) {
   GridOptions grid;
   grid.n = 2;

@@ -55,6 +55,7 @@ struct Patch {
 /// A part of the triple degenerate curve in one tet of the refined mesh.
 struct CurvePiece {
   ArcUse use;
+  TetId input{};  ///< the tet of the input that holds the cell
   std::int64_t source_cell = 0;
   bool certified = false;
 };
