@@ -16,10 +16,12 @@ double error_up(const PatchOutline& outline, const Chart& chart,
   const double coarse = value / chart.rise * (1 + 0x1p-20);
   if (!std::isfinite(coarse)) return std::numeric_limits<double>::infinity();
   if (coarse <= allowed || !(coarse < cell.size())) return coarse;
+  // The vector of `up_weights` may be shorter than one, by less than this.
+  const double reach = coarse * (1 + 4 / kLeastLength);
   std::array<Tensor<double>, 6> prism;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Weights above = corners[k] + coarse * chart.up_weights;
-    const Weights below = corners[k] + -coarse * chart.up_weights;
+    const Weights above = corners[k] + reach * chart.up_weights;
+    const Weights below = corners[k] + -reach * chart.up_weights;
     if (CellMap::total(above) > CellMap::kMostWeight ||
         CellMap::total(below) > CellMap::kMostWeight)
       return coarse;
@@ -46,13 +48,17 @@ double error_of_tangled(const PatchOutline& outline,
   };
   for (const auto& [a, b, c] : triangles) twice_area += twice(a, b, c);
   double up = 0, width = 0;
+  // Twice an area is right to some roundings of the squared size of the cell, and to what its
+  // corners and the direction may be off by times at most four sides.
+  const double size = outline.cell.size();
+  const double doubtful =
+      0x1p-40 * size * size + 8 * (outline.cell.position_error() + chart.drift) * size;
   for (const auto& t : triangles) {
     up = std::max(
         up, error_up(outline, chart,
                      {outline.boundary[t[0]], outline.boundary[t[1]], outline.boundary[t[2]]}, 0));
-    // Areas are right to a few roundings of the squared size of the cell.
     const double turned = twice(t[0], t[1], t[2]) * (twice_area < 0 ? -1 : 1);
-    if (turned > 0x1p-40 * outline.cell.size() * outline.cell.size()) continue;
+    if (turned > doubtful) continue;
     double narrow = std::max(
         {(x[t[0]] - x[t[1]]).norm(), (x[t[1]] - x[t[2]]).norm(), (x[t[0]] - x[t[2]]).norm()});
     for (std::size_t k = 0; k < 3; ++k) {
