@@ -339,12 +339,5 @@ TEST(Places, PlanesOfSymmetryAreInReportTableAndFile) {
   EXPECT_LE(triangles, 300);
 }
 
-TEST(RealData, ConvectionIsExtracted) {
-  const TemporaryDirectory directory;
-  const json report = extract(TRIPLEX_DATA_DIR "/rayleigh_benard.vtu", directory / "out");
-  EXPECT_EQ(report["field"]["tets"], 15972);
-  EXPECT_GT(report["features"]["degenerate-linear"]["triangles"], 0);
-}
-
 }  // namespace
 }  // namespace triplex::test
