@@ -4,7 +4,7 @@
 
 #include <X11/Xlib.h>
 
-#include "triplex/render/render.hpp"
+#include "triplex/render/color.hpp"
 
 namespace triplex {
 
