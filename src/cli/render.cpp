@@ -54,9 +54,17 @@ FeatureRequest features_of(const RenderRequest& request, const nlohmann::ordered
   }
 }
 
+// `--features none` alone: a picture of other geometry.
+bool is_nothing(const FeatureRequest& wanted) {
+  return wanted.names == std::vector<std::string>{"none"} && wanted.modes.empty() &&
+         wanted.magnitudes.empty() && wanted.isotropicities.empty() && !wanted.traceless;
+}
+
 ExitCode run_render(const RenderRequest& request) {
   const auto report = report_of(request.directory);
-  const RequestedFeatures requested = resolve(features_of(request, report));
+  const FeatureRequest wanted = features_of(request, report);
+  const RequestedFeatures requested =
+      is_nothing(wanted) ? RequestedFeatures{.table = {}, .set = 0} : resolve(wanted);
   RenderOptions options = resolve(request.look, requested.table);
   options.table = requested.table;
   options.features = requested.set;

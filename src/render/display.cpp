@@ -8,14 +8,14 @@
 
 namespace triplex {
 
-void require_display() {
-  Display* const display = XOpenDisplay(nullptr);
-  if (display == nullptr) {
+DisplayConnection::DisplayConnection() : display_(XOpenDisplay(nullptr)) {
+  if (display_ == nullptr) {
     throw RenderError(
         "no X display to draw on; run it under a virtual one: "
         "xvfb-run -a -s \"-screen 0 1280x1024x24\" triplex render ...");
   }
-  XCloseDisplay(display);
 }
+
+DisplayConnection::~DisplayConnection() { XCloseDisplay(static_cast<Display*>(display_)); }
 
 }  // namespace triplex

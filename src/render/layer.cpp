@@ -104,8 +104,11 @@ void add_bodies(const Part& part, double diagonal, std::vector<Layer>& layers) {
   const auto add = [&](vtkSmartPointer<vtkPolyData> body, bool is_surface) {
     Layer layer = part.look;
     layer.mesh = std::move(body);
-    layer.is_surface = is_surface;
-    if (!is_surface) layer.opacity = 1;
+    // Where normals double points there would be borders: the edges are those of the file.
+    if (is_surface)
+      layer.edges_of = part.mesh;
+    else
+      layer.opacity = 1;
     layers.push_back(std::move(layer));
   };
   if (part.mesh->GetNumberOfPolys() > 0) add(smooth_surface(part.mesh), true);

@@ -19,7 +19,7 @@ struct Layer {
   std::string title = {};                  ///< in the legend; empty: not there
   std::optional<Color> color = {};         ///< nothing: the active scalars of the points or cells
   double opacity = 1;
-  bool is_surface = true;              ///< not a tube or sphere: silhouettes are drawn
+  vtkSmartPointer<vtkPolyData> edges_of = {};  ///< a surface for silhouettes; none on tubes
   FeatureSet groups = ~FeatureSet{0};  ///< drawn in a panel that shows one of these features
 };
 

@@ -83,7 +83,7 @@ class Placer {
 void draw_page(const std::filesystem::path& picture, int panels, const PageOptions& options,
                const std::function<vtkSmartPointer<vtkRenderer>(int, const PanelSize&)>& make) {
   vtkObject::GlobalWarningDisplayOff();  // what goes wrong is thrown
-  require_display();
+  const DisplayConnection display;
   const int scale = 2 * std::max(options.width, options.height) <= kLargestWindow ? 2 : 1;
   const int width = scale * options.width, height = scale * options.height;
   const int font =

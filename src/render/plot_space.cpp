@@ -25,11 +25,18 @@ struct EdgeDomain {
   std::size_t number;
 };
 constexpr std::array<EdgeDomain, 6> kEdges = {{{"real\nlinear", 2},
-                                               {"outer complex\nlinear", 1},
-                                               {"inner complex\nlinear", 0},
-                                               {"inner complex\nplanar", 5},
-                                               {"outer complex\nplanar", 4},
+                                               {"outer\ncomplex\nlinear", 1},
+                                               {"inner\ncomplex\nlinear", 0},
+                                               {"inner\ncomplex\nplanar", 5},
+                                               {"outer\ncomplex\nplanar", 4},
                                                {"real\nplanar", 3}}};
+
+// The name of a special mode, a word to a line.
+std::string in_lines(std::string_view name) {
+  std::string text(name);
+  std::replace(text.begin(), text.end(), ' ', '\n');
+  return text;
+}
 
 double longest_share(const SpaceDensity& density) {
   double longest = 0;
@@ -64,20 +71,21 @@ void label_hexagon(vtkRenderer* renderer, const SpaceDensity* density, int font,
     const Point middle = on_edge(edge, 0.5);
     std::string text = name;
     if (density != nullptr) text += fmt::format("\n{:.1f} %", 100 * density->domains[number]);
-    add_label(renderer, text, {0.66 * middle[0], 0.66 * middle[1], 0.1}, Beside::On,
-              (font * 9) / 10, ink);
+    add_label(renderer, text, {0.72 * middle[0], 0.72 * middle[1], 0.1}, Beside::On,
+              (font * 7) / 10, ink);
   }
   constexpr std::array<Beside, 6> sides = {Beside::Above, Beside::Left,  Beside::Left,
                                            Beside::Below, Beside::Right, Beside::Right};
-  const double out = density == nullptr ? 1.07 : 1.35;  // beyond the bars, above and below
+  const double out = density == nullptr ? 1.07 : 1.42;  // beyond the bars, above and below
   for (std::size_t k = 0; k < 6; ++k) {
     const auto& [x, y] = special_modes()[k].hexagon;
     const bool top_or_bottom = k == 0 || k == 3;
-    const Point place = top_or_bottom ? Point{x, out * y, 0.1} : Point{1.09 * x, 1.2 * y, 0.1};
-    add_label(renderer, std::string(special_modes()[k].name), place, sides[k], font, ink);
+    const std::string name(special_modes()[k].name);
+    const Point place = top_or_bottom ? Point{x, out * y, 0.1} : Point{1.13 * x, 1.34 * y, 0.1};
+    add_label(renderer, top_or_bottom ? name : in_lines(name), place, sides[k], font, ink);
   }
-  add_label(renderer, std::string(special_modes()[6].name), {0, -0.07, 0.1}, Beside::Below, font,
-            ink);
+  add_label(renderer, in_lines(special_modes()[6].name), {0, -0.07, 0.1}, Beside::Below,
+            (font * 7) / 10, ink);
 }
 
 vtkSmartPointer<vtkRenderer> draw_hexagon(const SpaceDensity* density, const PanelSize& size,
@@ -92,10 +100,11 @@ vtkSmartPointer<vtkRenderer> draw_hexagon(const SpaceDensity* density, const Pan
     add_ball(renderer, on_edge(corner, 0), 0.045, color_of_corner(corner));
   add_ball(renderer, {0, 0, 0}, 0.045, color_of_corner(6));
   label_hexagon(renderer, density, size.font, ink_on(background));
-  // The labels on the left and right are 17 letters, about 8.5 times as wide as high.
-  const double text = 9.0 * size.font / (size.width / 2.0);
+  // The labels on the left and right are 10 letters, less than 7 times as wide as high.
+  const double text = 7.0 * size.font / (size.width / 2.0);
   const double half_width = 0.95 / std::max(0.2, 1 - text);
-  const double half_height = 1.35 + 2 * (1.35 * 2 * size.font / size.height);
+  const double half_height =
+      (density == nullptr ? 1.07 : 1.42) / (1 - 3.0 * size.font / size.height);
   vtkCamera* const camera = renderer->GetActiveCamera();
   camera->ParallelProjectionOn();
   camera->SetFocalPoint(0, 0, 0);
@@ -176,11 +185,15 @@ vtkSmartPointer<vtkRenderer> draw_cone(const SpaceDensity* density, const PanelS
   const Color ink = ink_on(background);
   add_label(renderer, "  isotropicity 1", top, Beside::Right, size.font, ink);
   add_label(renderer, "  isotropicity -1", bottom, Beside::Right, size.font, ink);
-  add_label(renderer, "real neutral", {0, 1.14, 0}, Beside::Right, size.font, ink);
-  add_label(renderer, "complex neutral", {0, -1.12, 0}, Beside::On, size.font, ink);
-  const View view = view_of_angles(-58, 16);
-  place_camera(renderer, {{{-1, 1}, {-1.15, 1.15}, {-1.1, 1.1}}}, view,
-               double(size.width) / size.height, 1);
+  const View view = view_of_angles(-50, 18);
+  for (std::size_t k = 0; k < 6; ++k) {
+    const auto& [x, y] = special_modes()[k].hexagon;
+    const bool right = view.from[0] * y - view.from[1] * x > 0;
+    add_label(renderer, in_lines(special_modes()[k].name), {1.09 * x, 1.09 * y, 0},
+              right ? Beside::Right : Beside::Left, (size.font * 7) / 10, ink);
+  }
+  place_camera(renderer, {{{-1, 1}, {-1, 1}, {-1, 1}}}, view, double(size.width) / size.height,
+               0.97);
   return renderer;
 }
 

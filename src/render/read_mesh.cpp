@@ -23,8 +23,10 @@ vtkSmartPointer<typename std::remove_pointer_t<decltype(std::declval<Reader>().G
   if (!std::filesystem::exists(file)) throw RenderError("no such file: " + file.string());
   vtkNew<Reader> reader;
   reader->SetFileName(file.c_str());
-  reader->Update();
-  if (reader->GetErrorCode() != vtkErrorCode::NoError || reader->GetOutput() == nullptr) {
+  const bool is_xml = reader->CanReadFile(file.c_str()) != 0;
+  if (is_xml) reader->Update();
+  if (!is_xml || reader->GetErrorCode() != vtkErrorCode::NoError ||
+      reader->GetOutput() == nullptr) {
     throw RenderError("not a " + std::string(kind) + " file that VTK can read: " + file.string());
   }
   return reader->GetOutput();

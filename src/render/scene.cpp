@@ -41,7 +41,7 @@ void add_layer(vtkRenderer* renderer, const Layer& layer) {
 
 void add_silhouette(vtkRenderer* renderer, const Layer& layer, double line) {
   vtkNew<vtkPolyDataSilhouette> edges;
-  edges->SetInputData(layer.mesh);
+  edges->SetInputData(layer.edges_of);
   edges->SetCamera(renderer->GetActiveCamera());
   edges->SetBorderEdges(1);
   edges->SetEnableFeatureAngle(0);
@@ -95,7 +95,7 @@ vtkSmartPointer<vtkRenderer> make_scene(const Layers& layers, const SceneOptions
     if ((layer.groups & scene.features) == 0 && ~layer.groups != 0) continue;
     add_layer(renderer, layer);
     transparent |= layer.opacity < 1;
-    if (options.silhouettes && layer.is_surface) add_silhouette(renderer, layer, scene.line);
+    if (options.silhouettes && layer.edges_of) add_silhouette(renderer, layer, scene.line);
   }
   if (options.outline) add_outline(renderer, layers.box, *options.outline, scene.line);
   if (transparent) {

@@ -47,7 +47,7 @@ TEST(SpaceDensity, TripleDegenerateAndZeroTensorsHaveNoBin) {
 }
 
 TEST(SpaceDensity, SharesAddUpToTheVolume) {
-  for (const double jitter : {0.0, 0.3}) {
+  for (const double jitter : {0.0, 0.1}) {
     const SpaceDensity density =
         space_density_approx(generate_lorenz({.n = 7, .jitter = jitter}), 30, 41);
     EXPECT_NEAR(sum(density.share) + density.on_axis + density.zero, 1, 1e-12);
