@@ -156,7 +156,7 @@ std::optional<StemEnd> HalfTrace::accept(const Advance& a) {
   const bool jumps = !holds && branch_ != Branch::Simple && next != Branch::Simple;
   p.forward = eigenvector_of(p.tensor, jumps ? branch_ : next);
   if (!is_direction(p.forward)) return ends ? StemEnd::Domain : StemEnd::NoDirection;
-  if (dot(p.forward, a.to.direction) < 0) p.forward = -1 * p.forward;
+  if (dot(p.forward, points.back().forward) < 0) p.forward = -1 * p.forward;
   if (jumps) return turn(p, next);
   branch_ = next;
   if (p.position != points.back().position) points.push_back(p);
