@@ -12,6 +12,9 @@
 #include <random>
 
 #include "linear_fields.hpp"
+#include "triplex/field/bad_input.hpp"
+#include "triplex/field/progress.hpp"
+#include "triplex/tensor/invariants.hpp"
 
 namespace triplex {
 namespace {
