@@ -171,6 +171,12 @@ std::optional<StemEnd> HalfTrace::advance() {
   return accept(a);
 }
 
+/// The direction turns by more than 60 degrees within a length that is not told from none (both
+/// numbers are choices): next to a point without a direction, into which curves may run.
+bool HalfTrace::turns_within_error(const Advance& a, const Vector& forward) const {
+  return a.length <= 64 * error() && dot(forward, points.back().forward) < 0.5;
+}
+
 /// Stores the end of a step, and what follows from a change there.
 std::optional<StemEnd> HalfTrace::accept(const Advance& a) {
   StemPoint p;
@@ -185,6 +191,7 @@ std::optional<StemEnd> HalfTrace::accept(const Advance& a) {
   p.forward = eigenvector_of(p.tensor, jumps ? branch_ : next);
   if (!is_direction(p.forward)) return a.ended ? StemEnd::Domain : StemEnd::NoDirection;
   if (dot(p.forward, points.back().forward) < 0) p.forward = -1 * p.forward;
+  if (turns_within_error(a, p.forward)) return StemEnd::NoDirection;
   sector_ = sector_at(p.place);
   if (a.changed) last_change_ = p.arc_length;
   if (jumps) return turn(p, next);

@@ -41,6 +41,7 @@ class HalfTrace {
   bool keeps(const Classification& place) const;
   bool cut_at_change(const CellStep& step, Advance& a) const;
   void cut_between(const CellStep& step, double lo, double hi, Advance& a) const;
+  bool turns_within_error(const Advance& a, const Vector& forward) const;
   std::optional<StemEnd> accept(const Advance& a);
   std::optional<StemEnd> turn(const StemPoint& at, Branch next);
   double error() const;

@@ -14,6 +14,7 @@
 #include "linear_fields.hpp"
 #include "triplex/field/bad_input.hpp"
 #include "triplex/field/progress.hpp"
+#include "triplex/tensor/eigenvalues.hpp"
 #include "triplex/tensor/invariants.hpp"
 
 namespace triplex {
@@ -336,6 +337,32 @@ TEST(Tracer, ManySeedsAreOneAfterTheOther) {
     }
   }
   EXPECT_TRUE(slid);  // in noise some do
+}
+
+/// In symmetric fields whole families of curves run into degenerate points of wedge type.
+TEST(Tracer, DegenerateCurvesOfSymmetricFieldsEndACurve) {
+  GridOptions options;
+  options.n = 4;
+  const TensorField field = generate_symmetric(options);
+  const Tracer tracer(field);
+  TraceOptions trace;
+  trace.field = EigenvectorField::Major;
+  const Hyperstreamline stem =
+      tracer.trace({-0.1036217212677002, -0.3858703374862671, -0.32966554164886475}, trace);
+  expect_eigenvectors(stem);
+  for (std::size_t i = 1; i < stem.points.size(); ++i)
+    EXPECT_GE(dot(stem.points[i - 1].forward, stem.points[i].forward), 0.5);
+  EXPECT_EQ(stem.ends[0], StemEnd::NoDirection);
+  EXPECT_EQ(stem.ends[1], StemEnd::Boundary);
+  const auto values = eigenvalues(stem.points.front().tensor).real;
+  EXPECT_LT(values[0] - values[1], 1e-6);
+  for (const Point& seed : random_seeds(field, 60, 37)) {
+    const Hyperstreamline other = tracer.trace(seed, trace);
+    expect_eigenvectors(other);
+    expect_continuous(other);
+    EXPECT_EQ(other.ends[0], StemEnd::Boundary);
+    EXPECT_EQ(other.ends[1], StemEnd::Boundary);
+  }
 }
 
 TEST(Tracer, LimitsAndBadInput) {
