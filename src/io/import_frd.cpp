@@ -1,146 +1,108 @@
 // SPDX-FileCopyrightText: The Triplex authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
+#include <vtkCellType.h>
 
-#include <Eigen/Dense>
-#include <limits>
+#include <fstream>
+#include <iterator>
 
-#include "frd_file.hpp"
-#include "triplex/field/input_check.hpp"
-#include "triplex/io/import.hpp"
+#include "frd.hpp"
+#include "solver_case.hpp"
+#include "vtk_grid.hpp"
+#include "vtk_output.hpp"
 
-namespace triplex {
+namespace triplex::detail {
 namespace {
 
-using detail::FrdElement;
-using detail::FrdFile;
-using Matrix = Eigen::Matrix3d;
-
-constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
-
-Eigen::Vector3d vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
-
-/// The derivative, at a corner, of a quantity along the edge to another one that has the parameters
-/// 0 to 1: linear, or quadratic through the edge's middle point.
-Eigen::Vector3d along_edge(const FrdElement& element, int corner, int other,
-                           const std::vector<std::array<double, 3>>& values) {
-  const auto at = [&](int n) {
-    return vector(values[element.points[static_cast<std::size_t>(n)]]);
-  };
-  const int middle = detail::frd_middle(element.type, corner, other);
-  if (middle < 0) return at(other) - at(corner);
-  return 4 * at(middle) - 3 * at(corner) - at(other);
+int cell_type(std::size_t corners) {
+  if (corners == 4) return VTK_TETRA;
+  return corners == 6 ? VTK_WEDGE : VTK_HEXAHEDRON;
 }
 
-/// d x_i / d X_j at a corner of an element.
-Matrix deformation_at(const FrdFile& file, const FrdElement& element, int corner) {
-  Matrix reference, displaced;
-  const auto others = detail::frd_neighbours(element.type, corner);
-  for (int k = 0; k < 3; ++k) {
-    const int other = others[static_cast<std::size_t>(k)];
-    reference.col(k) = along_edge(element, corner, other, file.points);
-    displaced.col(k) = along_edge(element, corner, other, file.displacements);
+vtkSmartPointer<vtkUnstructuredGrid> make_grid(const FrdFile& file) {
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(to_vtk_points(file.points));
+  grid->Allocate(static_cast<vtkIdType>(file.elements.size()));
+  for (const FrdElement& element : file.elements) {
+    std::array<vtkIdType, 8> corners{};
+    std::ranges::copy(element.corners, corners.begin());
+    grid->InsertNextCell(cell_type(element.corners.size()),
+                         static_cast<vtkIdType>(element.corners.size()), corners.data());
   }
-  return Matrix::Identity() + displaced * reference.inverse();
+  return grid;
 }
 
-std::vector<Matrix> deformations(const FrdFile& file) {
-  std::vector<Matrix> sums(file.points.size(), Matrix::Zero());
-  std::vector<int> counts(file.points.size(), 0);
-  for (const FrdElement& element : file.elements)
-    for (int c = 0; c < detail::frd_corners(element.type); ++c) {
-      const std::uint32_t p = element.points[static_cast<std::size_t>(c)];
-      sums[p] += deformation_at(file, element, c);
-      ++counts[p];
-    }
-  for (std::size_t p = 0; p < sums.size(); ++p)
-    if (counts[p] > 0) sums[p] /= counts[p];
-  return sums;
+/// Of six components xx, yy, zz, xy, yz, zx.
+Tensor<double> symmetric(const std::array<double, 6>& s) {
+  return {s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2]};
 }
 
-/// The tets of the elements, over the corners alone, and where those are in the file.
-void take_mesh(const FrdFile& file, TensorField& field, std::vector<std::uint32_t>& places) {
-  std::vector<std::uint32_t> number(file.points.size(), kUnused);
-  for (const FrdElement& element : file.elements)
-    for (int c = 0; c < detail::frd_corners(element.type); ++c)
-      number[element.points[static_cast<std::size_t>(c)]] = 0;
-  for (std::uint32_t p = 0; p < number.size(); ++p) {
-    if (number[p] == kUnused) continue;
-    number[p] = static_cast<std::uint32_t>(places.size());
-    places.push_back(p);
-    field.mesh.points.push_back(file.points[p]);
-  }
-  for (std::size_t e = 0; e < file.elements.size(); ++e) {
-    const FrdElement& element = file.elements[e];
-    const auto corners = static_cast<std::size_t>(detail::frd_corners(element.type));
-    std::vector<Point> x;
-    for (std::size_t c = 0; c < corners; ++c) x.push_back(file.points[element.points[c]]);
-    const auto add = [&](const std::array<std::uint8_t, 4>& t) {
-      std::array<VertexId, 4> tet;
-      for (std::size_t i = 0; i < 4; ++i) tet[i] = VertexId{number[element.points[t[i]]]};
-      field.mesh.tets.push_back(tet);
-      field.source_cells.push_back(static_cast<std::int64_t>(e));
-    };
-    if (corners == 4) {
-      add({0, 1, 2, 3});
-      continue;
-    }
-    // VTK's wedge has the other triangle first.
-    std::vector<std::uint8_t> order = {0, 1, 2, 3, 4, 5, 6, 7};
-    if (corners == 6) order = {3, 4, 5, 0, 1, 2};
-    std::vector<Point> in_order;
-    for (std::size_t c = 0; c < corners; ++c) in_order.push_back(x[order[c]]);
-    const CellShape shape = corners == 8 ? CellShape::Hexahedron : CellShape::Wedge;
-    ++(corners == 8 ? field.split.hexahedra : field.split.wedges);
-    for (const auto& t : split_cell(shape, in_order))
-      add({order[t[0]], order[t[1]], order[t[2]], order[t[3]]});
-  }
+/// P = J s F^-T = s cof F. Both row-major.
+Tensor<double> first_piola_kirchhoff(const Tensor<double>& s, const Tensor<double>& f) {
+  const Tensor<double> cofactor = {
+      f[4] * f[8] - f[5] * f[7], f[5] * f[6] - f[3] * f[8], f[3] * f[7] - f[4] * f[6],
+      f[2] * f[7] - f[1] * f[8], f[0] * f[8] - f[2] * f[6], f[1] * f[6] - f[0] * f[7],
+      f[1] * f[5] - f[2] * f[4], f[2] * f[3] - f[0] * f[5], f[0] * f[4] - f[1] * f[3]};
+  Tensor<double> p{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < 3; ++k) p[3 * i + j] += s[3 * i + k] * cofactor[3 * k + j];
+  return p;
 }
 
-Tensor<double> row_major(const Matrix& m) {
-  return {m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)};
-}
-
-void append(const Matrix& m, PointValues& to) {
-  for (const double x : row_major(m)) to.values.push_back(x);
-}
-
-ImportedField import(const std::filesystem::path& path, std::optional<double> time) {
-  const FrdFile file = detail::read_frd(path, time);
-  ImportedField result;
-  result.time = file.time;
-  std::vector<std::uint32_t> places;
-  take_mesh(file, result.field, places);
-  result.field.array_name = "tensor";
-  PointValues cauchy{"cauchy", 9, {}}, gradient{"F", 9, {}}, displacement{"displacement", 3, {}};
-  const std::vector<Matrix> f = deformations(file);
-  for (const std::uint32_t p : places) {
-    const auto& s = file.stresses[p];
-    Matrix stress;
-    stress << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
-    if (!(f[p].determinant() > 0))
-      throw BadInput(fmt::format("the deformation turns the body inside out at point {}; look at "
-                                 "the convergence of the computation",
-                                 p + 1));
-    result.field.tensors.push_back(
-        row_major(f[p].determinant() * stress * f[p].inverse().transpose()));
-    append(stress, cauchy);
-    append(f[p], gradient);
-    for (const double u : file.displacements[p]) displacement.values.push_back(u);
-  }
-  check_input(result.field, {});
-  result.values = {std::move(cauchy), std::move(gradient), std::move(displacement)};
-  return result;
+/// The step that the options name, which must have displacements and stresses.
+const FrdStep& choose_step(const FrdFile& file, const ImportOptions& options) {
+  if (file.steps.empty())
+    throw BadInput(
+        "there are no displacements and stresses; ask for them with *NODE FILE U and "
+        "*EL FILE S");
+  std::vector<double> times;
+  for (const FrdStep& step : file.steps) times.push_back(step.time);
+  const FrdStep& step = file.steps[choose_time(times, options.time)];
+  if (step.displacement.empty())
+    throw BadInput("the step has no displacements (DISP); ask for them with *NODE FILE U");
+  if (step.stress.empty())
+    throw BadInput("the step has no stresses (STRESS); ask for them with *EL FILE S");
+  return step;
 }
 
 }  // namespace
 
-ImportedField import_frd(const std::filesystem::path& file, std::optional<double> time) {
-  try {
-    return import(file, time);
-  } catch (const BadInput& error) {
-    throw BadInput(file.string() + ": " + error.what());
+ImportedCase import_frd(const std::filesystem::path& path, const ImportOptions& options) {
+  if (!options.gradient_of.empty() || !options.tensor_name.empty())
+    throw BadInput("--gradient-of and --tensor are for OpenFOAM cases; leave them out");
+  std::ifstream in(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const FrdFile file = parse_frd(text);
+  const FrdStep& step = choose_step(file, options);
+  const auto grid = make_grid(file);
+
+  RawField raw;
+  raw.field.mesh.points = file.points;
+  raw.field.array_name = "displacement";
+  take_cells(*grid, raw.field);
+  if (raw.field.mesh.tets.empty())
+    throw BadInput("there are no solid elements (3C); write the results of solid elements");
+  raw.vectors = step.displacement;
+  take_gradients(*grid, raw, false);
+
+  ImportedCase result{.field = std::move(raw.field), .arrays = {}, .time = step.time};
+  auto& tensors = result.field.tensors;
+  std::vector<Tensor<double>> cauchy, deformation;
+  for (std::size_t i = 0; i < tensors.size(); ++i) {
+    Tensor<double> f = tensors[i];
+    for (const std::size_t diagonal : {0, 4, 8}) f[diagonal] += 1;
+    deformation.push_back(f);
+    cauchy.push_back(symmetric(step.stress[i]));
+    tensors[i] = first_piola_kirchhoff(cauchy.back(), f);
   }
+  // Points without cells may have no values; they are left out later, but must be numbers.
+  const auto used = used_points(result.field.mesh);
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (!used[i]) tensors[i] = {};
+  result.field.array_name = "tensor";
+  result.arrays = {point_values("cauchy", cauchy), point_values("F", deformation),
+                   point_values("displacement", step.displacement)};
+  return result;
 }
 
-}  // namespace triplex
+}  // namespace triplex::detail
