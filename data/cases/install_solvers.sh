@@ -5,7 +5,7 @@
 # Installs the solvers that the cases need, from Debian packages. Does nothing when all are there.
 set -euo pipefail
 
-packages=(calculix-ccx gmsh openfoam)
+packages=(calculix-ccx gmsh openfoam python3)
 
 missing=()
 for package in "${packages[@]}"; do

@@ -132,7 +132,7 @@ std::string refusal_of(const std::string& part, const std::string& by,
 
 TEST(CalculiX, MalformedFilesAreRefusedWithTheLine) {
   EXPECT_EQ(refusal_of("", ""), "accepted");
-  EXPECT_THAT(refusal_of("", "", 2000), AllOf(HasSubstr("line "), HasSubstr("the file ends")));
+  EXPECT_THAT(refusal_of("", "", 1000), AllOf(HasSubstr("line "), HasSubstr("the file ends")));
   EXPECT_THAT(refusal_of(" -1         2 5.00000E-01", " -1         2 5.0000xE-01"),
               AllOf(HasSubstr("line "), HasSubstr("is not a number")));
   EXPECT_THAT(refusal_of(" -1         2 5", " -1         1 5"), HasSubstr("node 1 occurs twice"));
@@ -144,7 +144,8 @@ TEST(CalculiX, MalformedFilesAreRefusedWithTheLine) {
   EXPECT_THAT(refusal_of("27                                     1",
                          "27                                     2"),
               HasSubstr("is not ASCII"));
-  EXPECT_THAT(refusal_of("    2C", "    9C"), HasSubstr("no block of nodes"));
+  EXPECT_THAT(refusal_of("    2C", "    9C"), HasSubstr("there is no node 1"));
+  EXPECT_THAT(refusal_of("    1C", " 9999"), HasSubstr("no block of nodes"));
   EXPECT_THAT(refusal(kFrd, {.time = 3}), AllOf(HasSubstr("no time 3"), HasSubstr("1, 2")));
   EXPECT_THAT(refusal(kFrd, {.gradient_of = "U"}), HasSubstr("are for OpenFOAM"));
 }
