@@ -132,7 +132,10 @@ std::string refusal_of(const std::string& part, const std::string& by,
 
 TEST(CalculiX, MalformedFilesAreRefusedWithTheLine) {
   EXPECT_EQ(refusal_of("", ""), "accepted");
-  EXPECT_THAT(refusal_of("", "", 1000), AllOf(HasSubstr("line "), HasSubstr("the file ends")));
+  const std::size_t end_of_nodes = file_content(kFrd).find("\n -3") + 1;
+  EXPECT_THAT(refusal_of("", "", end_of_nodes),
+              AllOf(HasSubstr("line "), HasSubstr("the file ends in the block of nodes")));
+  EXPECT_THAT(refusal_of("", "", end_of_nodes - 20), HasSubstr("is not a number"));
   EXPECT_THAT(refusal_of(" -1         2 5.00000E-01", " -1         2 5.0000xE-01"),
               AllOf(HasSubstr("line "), HasSubstr("is not a number")));
   EXPECT_THAT(refusal_of(" -1         2 5", " -1         1 5"), HasSubstr("node 1 occurs twice"));
