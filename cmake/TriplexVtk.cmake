@@ -3,7 +3,7 @@
 
 # The parts of VTK that io, contour and render use. Always with COMPONENTS: a bare find_package(VTK) asks for
 # Qt on some systems. Used by the build and by the installed package alike.
-set(TRIPLEX_VTK_IO CommonCore CommonDataModel CommonExecutionModel FiltersGeneral IOCore IOXML IOLegacy
+set(TRIPLEX_VTK_IO CommonCore CommonDataModel CommonExecutionModel FiltersGeneral IOCore IOGeometry IOXML IOLegacy
   IOParallelXML)
 set(TRIPLEX_VTK_RENDER CommonColor CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral
   FiltersGeometry FiltersHybrid FiltersSources IOImage IOXML ImagingCore RenderingCore RenderingFreeType RenderingOpenGL2)

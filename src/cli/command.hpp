@@ -22,6 +22,7 @@ using Action = std::function<ExitCode()>;
 // Each adds its subcommand to the program; `action` is set when that subcommand is chosen.
 void add_generate(CLI::App& program, Action& action);
 void add_info(CLI::App& program, Action& action);
+void add_import(CLI::App& program, Action& action);
 void add_extract(CLI::App& program, Action& action);
 void add_render(CLI::App& program, Action& action);
 void add_plot_space(CLI::App& program, Action& action);

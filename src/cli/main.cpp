@@ -73,6 +73,7 @@ ExitCode run(int argc, char** argv) {
   Action action;
   describe(program);
   add_generate(program, action);
+  add_import(program, action);
   add_info(program, action);
   add_extract(program, action);
   add_render(program, action);

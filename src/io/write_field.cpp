@@ -69,13 +69,18 @@ bool can_write_field(const std::filesystem::path& file) {
   return file.extension() == ".vtu" || file.extension() == ".vtk";
 }
 
-void write_field(const std::filesystem::path& file, const TensorField& field) {
+void write_field(const std::filesystem::path& file, const TensorField& field,
+                 std::span<const PointValues> extra) {
   if (!can_write_field(file)) {
     throw IoError(file.string() + ": cannot write: unknown kind of file; choose .vtu or .vtk");
   }
   const std::string name = field.array_name.empty() ? "tensor" : field.array_name;
   const bool xml = file.extension() == ".vtu";
   const auto grid = to_vtk(field, xml ? xml_escaped(name) : name);
+  for (const PointValues& array : extra)
+    grid->GetPointData()->AddArray(
+        detail::to_vtk_array(xml ? xml_escaped(array.name) : array.name, array.values.data(),
+                             field.mesh.points.size(), array.components));
   if (xml) {
     detail::write_xml(file, *vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New(), *grid);
   } else {

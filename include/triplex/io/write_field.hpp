@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 #include "triplex/field/tensor_field.hpp"
 #include "triplex/io/atomic_file.hpp"
+#include "triplex/io/write_polydata.hpp"
 
 namespace triplex {
 
@@ -14,8 +16,9 @@ bool can_write_field(const std::filesystem::path& file);
 
 /// Writes a field as .vtu (inline base64) or legacy .vtk (binary), by extension. Doubles are
 /// written bit for bit; equal fields give equal bytes. The array is called `field.array_name`, or
-/// "tensor". Guarantee: all or nothing, as `write_file_atomically`. \throw IoError, also for other
-/// extensions.
-void write_field(const std::filesystem::path& file, const TensorField& field);
+/// "tensor"; `extra` are further point arrays after it. Guarantee: all or nothing, as
+/// `write_file_atomically`. \throw IoError, also for other extensions.
+void write_field(const std::filesystem::path& file, const TensorField& field,
+                 std::span<const PointValues> extra = {});
 
 }  // namespace triplex
