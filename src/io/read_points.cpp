@@ -34,8 +34,8 @@ std::vector<Point> points_in_text(const fs::path& file) {
       values.push_back(detail::number_in<double>(word, number));
     if (values.empty()) continue;
     if (values.size() != 3)
-      throw BadInput(fmt::format("line {}: {} number{} in place of x, y and z; write three",
-                                 number, values.size(), values.size() == 1 ? "" : "s"));
+      throw BadInput(fmt::format("line {}: {} number{} in place of x, y and z; write three", number,
+                                 values.size(), values.size() == 1 ? "" : "s"));
     points.push_back({values[0], values[1], values[2]});
   }
   return points;

@@ -17,8 +17,8 @@ void write_lines(const std::filesystem::path& file, const LineSet& set) {
   data->SetPoints(detail::to_vtk_points(set.points));
   data->SetLines(detail::to_vtk_lines(set.lines));
   for (const PointValues& array : set.point_values)
-    data->GetPointData()->AddArray(detail::to_vtk_array(array.name, array.values.data(),
-                                                        set.points.size(), array.components));
+    data->GetPointData()->AddArray(
+        detail::to_vtk_array(array.name, array.values.data(), set.points.size(), array.components));
   for (const LineNumbers& array : set.line_numbers)
     data->GetCellData()->AddArray(
         detail::to_vtk_array(array.name, array.values.data(), set.lines.size()));
