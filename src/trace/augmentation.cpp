@@ -82,11 +82,11 @@ void add_thorns(const Hyperstreamline& curve, const StemPlace& at, const Classif
       thorns.push_back({at, place, static_cast<int>(k), values.real[k], vectors.vectors[k]});
 }
 
-void add_leaf(const StemPlace& at, const Classification& place, std::vector<Leaf>& leaves) {
+void add_leaf(const StemPlace& at, const Classification& place, std::vector<StemLeaf>& leaves) {
   const DualEigenvectors dual = dual_eigenvectors(at.tensor);
   if (std::isnan(dual.axis_ratio)) return;
   const Eigenvalues values = eigenvalues(at.tensor);
-  Leaf leaf{
+  StemLeaf leaf{
       at,        place,    dual.long_axis, dual.short_axis, dual.axis_ratio, dual.eccentricity,
       values.re, values.im};
   if (std::isnan(dual.long_axis[0])) {  // a circle

@@ -51,7 +51,7 @@ void add_thorn(const Thorn& thorn, const PlantSizes& sizes, PlantBuilder& builde
 }
 
 /// An ellipse as a fan around its centre and two strips, so that colours can vary across it.
-void add_blade(const Leaf& leaf, const PlantSizes& sizes, PlantBuilder& builder) {
+void add_blade(const StemLeaf& leaf, const PlantSizes& sizes, PlantBuilder& builder) {
   const Vector centre = vector(leaf.at.position),
                normal = vector(leaf.long_axis).cross(vector(leaf.short_axis)).normalized();
   const Vector u = sizes.leaf * vector(leaf.long_axis);
@@ -74,7 +74,7 @@ void add_blade(const Leaf& leaf, const PlantSizes& sizes, PlantBuilder& builder)
   }
 }
 
-void add_leaf(const Leaf& leaf, const PlantSizes& sizes, PlantBuilder& builder) {
+void add_leaf(const StemLeaf& leaf, const PlantSizes& sizes, PlantBuilder& builder) {
   builder.domain = domain_of(leaf.place);
   builder.arc_length = leaf.at.arc_length;
   if (leaf.axis_ratio > 0) add_blade(leaf, sizes, builder);
@@ -101,7 +101,7 @@ void grow(const Hyperstreamline& curve, const Augmentation& augmentation, const 
   PlantBuilder thorns{plant, number, PlantPart::Thorn};
   for (const Thorn& thorn : augmentation.thorns) add_thorn(thorn, sizes, thorns);
   PlantBuilder leaves{plant, number, PlantPart::Leaf};
-  for (const Leaf& leaf : augmentation.leaves) add_leaf(leaf, sizes, leaves);
+  for (const StemLeaf& leaf : augmentation.leaves) add_leaf(leaf, sizes, leaves);
 }
 
 }  // namespace triplex

@@ -58,7 +58,7 @@ TEST(Augmentation, ThornsAreTheOtherTwoEigenvectors) {
 TEST(Augmentation, LeavesAreTheEllipsesOfTheDualEigenvectors) {
   const Augmentation plant = augment(crossing_curve(), {.spacing = 0.02});
   ASSERT_GT(plant.leaves.size(), 10u);
-  for (const Leaf& leaf : plant.leaves) {
+  for (const StemLeaf& leaf : plant.leaves) {
     const double x = leaf.at.arc_length;
     ASSERT_GT(x, 0);
     EXPECT_EQ(leaf.place.number, 1);
@@ -92,7 +92,7 @@ TEST(Augmentation, ConvergesToTheRepeatingEigenvectorAtTheRateOfTheory) {
   EXPECT_GE(thorns, 15);
   int leaves = 0;
   double ratio_before = 0;
-  for (const Leaf& leaf : plant.leaves) {
+  for (const StemLeaf& leaf : plant.leaves) {
     const double d = leaf.at.arc_length;
     if (d > 0.001 || d < 1e-6) continue;
     const double angle = std::asin(std::hypot(leaf.long_axis[0], leaf.long_axis[2]));
@@ -124,7 +124,7 @@ TEST(Augmentation, PlacesAreEvenAndCloserAtTheDegenerateSurface) {
       augment(crossing_curve(), {.spacing = 0.0625, .close_to_degenerate = 2});
   std::set<double> places;
   for (const Thorn& thorn : plant.thorns) places.insert(thorn.at.arc_length);
-  for (const Leaf& leaf : plant.leaves) EXPECT_TRUE(places.insert(leaf.at.arc_length).second);
+  for (const StemLeaf& leaf : plant.leaves) EXPECT_TRUE(places.insert(leaf.at.arc_length).second);
   std::set<double> expected = {-0.03125, -0.015625, 0.015625, 0.03125};
   for (int k = -4; k <= 4; ++k) expected.insert(0.0625 * k);
   ASSERT_EQ(places.size(), expected.size());
@@ -172,7 +172,7 @@ TEST(Augmentation, CirclesHaveAxesInTheirPlane) {
   const Augmentation plant = augment(
       straight_curve({0, 1}, [](double) { return Tensor<double>{3, 0, 0, 0, 0, -1, 0, 1, 0}; }));
   ASSERT_GT(plant.leaves.size(), 10u);
-  for (const Leaf& leaf : plant.leaves) {
+  for (const StemLeaf& leaf : plant.leaves) {
     EXPECT_EQ(leaf.axis_ratio, 1);
     EXPECT_EQ(leaf.eccentricity, 0);
     EXPECT_NEAR(leaf.long_axis[0], 0, 1e-15);

@@ -21,7 +21,7 @@ struct Thorn {
 
 /// The ellipse of the dual-eigenvectors at a point of a hyperstreamline in the complex domain. Of a
 /// circle the axes are one choice of many.
-struct Leaf {
+struct StemLeaf {
   StemPlace at;
   Classification place;
   Direction long_axis{}, short_axis{};
@@ -41,8 +41,8 @@ struct AugmentationOptions {
 
 /// What grows on a hyperstreamline.
 struct Augmentation {
-  std::vector<Thorn> thorns;  ///< pairs, in the order of the curve
-  std::vector<Leaf> leaves;   ///< in the order of the curve
+  std::vector<Thorn> thorns;     ///< pairs, in the order of the curve
+  std::vector<StemLeaf> leaves;  ///< in the order of the curve
 };
 
 /// The thorns and leaves of a hyperstreamline: at every multiple of the spacing in arc length,

@@ -44,7 +44,8 @@ struct PlantSizes {
 ///           the outer complex domain; the appearance changes exactly at the events;
 ///   thorns  a spike to either side of the stem, coloured by eigenvector: red major, yellow medium,
 ///           blue minor;
-///   leaves  the ellipse of `Leaf` around its place, long semi-axis `leaf`, green with a midrib.
+///   leaves  the ellipse of `StemLeaf` around its place, long semi-axis `leaf`, green with a
+///   midrib.
 /// Shapes are approximate (polygons), the colours a choice. Guarantee: a function of its arguments.
 /// \pre all sizes positive and finite; augmentation of that curve. \throw std::invalid_argument if
 /// not, or if the plant would have more than 2^32 - 1 points.
