@@ -24,6 +24,7 @@ void add_generate(CLI::App& program, Action& action);
 void add_info(CLI::App& program, Action& action);
 void add_extract(CLI::App& program, Action& action);
 void add_render(CLI::App& program, Action& action);
+void add_plot_space(CLI::App& program, Action& action);
 void add_audit(CLI::App& program, Action& action);
 void add_compare(CLI::App& program, Action& action);
 void add_trace(CLI::App& program, Action& action);

@@ -195,7 +195,6 @@ void check_tolerance(const ExtractRequest& request) {
     throw UsageError(
         fmt::format("--tolerance: '{}' is no positive number, with or without an r behind it",
                     request.tolerance));
-  if (!request.periodic.empty()) throw UsageError("--tolerance cannot be combined with --periodic");
 }
 
 std::vector<MeshFormat> parse_formats(const std::vector<std::string>& names) {

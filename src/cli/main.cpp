@@ -77,6 +77,7 @@ ExitCode run(int argc, char** argv) {
   add_info(program, action);
   add_extract(program, action);
   add_render(program, action);
+  add_plot_space(program, action);
   add_audit(program, action);
   add_compare(program, action);
   add_trace(program, action);

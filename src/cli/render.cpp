@@ -4,13 +4,13 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
 #include "feature_list.hpp"
+#include "render_options.hpp"
 
 namespace triplex::cli {
 namespace {
@@ -18,23 +18,9 @@ namespace {
 struct RenderRequest {
   std::string directory;
   std::string picture;
-  std::string size = "1600x1200";
-  std::string camera = "diagonal";
+  LookRequest look;
   FeatureRequest features;
 };
-
-// WxH, both from 16 to 16384.
-void parse_size(const std::string& text, RenderOptions& options) {
-  const char* const end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, options.width);
-  const bool cross = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
-  const auto height = cross ? std::from_chars(width.ptr + 1, end, options.height) : width;
-  const auto in_range = [](int pixels) { return pixels >= 16 && pixels <= 16384; };
-  if (!cross || height.ec != std::errc() || height.ptr != end || !in_range(options.width) ||
-      !in_range(options.height)) {
-    throw UsageError("--size: '" + text + "' is not WIDTHxHEIGHT in pixels, 16 to 16384 each");
-  }
-}
 
 // What extract reported; null when there is no such report.
 nlohmann::ordered_json report_of(const std::string& directory) {
@@ -68,15 +54,21 @@ FeatureRequest features_of(const RenderRequest& request, const nlohmann::ordered
   }
 }
 
+// `--features none` alone: a picture of other geometry.
+bool is_nothing(const FeatureRequest& wanted) {
+  return wanted.names == std::vector<std::string>{"none"} && wanted.modes.empty() &&
+         wanted.magnitudes.empty() && wanted.isotropicities.empty() && !wanted.traceless;
+}
+
 ExitCode run_render(const RenderRequest& request) {
-  RenderOptions options;
-  parse_size(request.size, options);
   const auto report = report_of(request.directory);
-  const RequestedFeatures requested = resolve(features_of(request, report));
+  const FeatureRequest wanted = features_of(request, report);
+  const RequestedFeatures requested =
+      is_nothing(wanted) ? RequestedFeatures{.table = {}, .set = 0} : resolve(wanted);
+  RenderOptions options = resolve(request.look, requested.table);
   options.table = requested.table;
   options.features = requested.set;
-  options.camera = camera_named(request.camera).value_or(CameraPreset::Diagonal);
-  options.outline = domain_of(report);
+  options.domain = domain_of(report);
   render_features(request.directory, request.picture, options);
   fmt::print("{}\n", request.picture);
   return ExitCode::Certified;
@@ -92,19 +84,15 @@ void add_render(CLI::App& program, Action& action) {
   command->add_option("-o,--output", request->picture, "Picture to write (.png)")
       ->required()
       ->type_name("PICTURE");
-  command->add_option("--size", request->size, "Width and height in pixels")
-      ->type_name("WxH")
-      ->capture_default_str();
-  command->add_option("--camera", request->camera, "Seen from: diagonal, x, y or z")
-      ->check(CLI::IsMember({"diagonal", "x", "y", "z"}))
-      ->type_name("PRESET")
-      ->capture_default_str();
+  add_look_options(*command, request->look);
   add_feature_options(*command, request->features);
   command->footer(
       "Examples:\n"
       "  triplex render flow -o flow.png\n"
+      "  triplex render flow -o flow.png --sheet --size 2400x700 --columns 4 --opacity 0.8\n"
+      "  triplex render flow -o flow.png --view 30,20 --clip 0,1,0,1,0,0.5 --with lines.vtp:gold\n"
       "  xvfb-run -a -s \"-screen 0 1280x1024x24\" triplex render flow -o flow.png\n"
-      "The second one is for machines without a screen.");
+      "The last one is for machines without a screen.");
   command->callback([request, &action] { action = [request] { return run_render(*request); }; });
 }
 

@@ -9,6 +9,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -80,10 +81,25 @@ class Builder {
     }
   }
 
+  /// Which corners and arcs are copies of others.
+  void find_originals() {
+    if (complex_.copies.empty()) return;
+    std::map<CornerKey, std::uint32_t> corners;
+    for (std::uint32_t n = 0; n < result_.corners.size(); ++n)
+      corners.emplace(CornerKey{result_.corners[n].carrier, features_[n]}, n);
+    for (std::uint32_t n = 0; n < result_.corners.size(); ++n) {
+      const auto found = corners.find({lowest(result_.corners[n]), features_[n]});
+      result_.corner_originals.push_back(found == corners.end() ? n : found->second);
+    }
+    for (std::uint32_t n = 0; n < result_.arcs.size(); ++n)
+      result_.arc_originals.push_back(original_of(n));
+  }
+
   void move_to(PatchComplex& result) { result = std::move(result_); }
 
  private:
   static constexpr std::uint32_t kUnused = 0xffffffff;
+  using CornerKey = std::pair<std::array<VertexId, 3>, Feature>;
 
   /// The number of a corner, which is made when it is first met.
   std::uint32_t corner(PatchVertex v) {
@@ -93,6 +109,8 @@ class Builder {
     if (number_[slot] == kUnused) {
       number_[slot] = static_cast<std::uint32_t>(result_.corners.size());
       result_.corners.push_back(v.on_spine ? corner_on_face(v.number) : corner_on_edge(v.number));
+      features_.push_back(v.on_spine ? Feature::TripleCurve
+                                     : crossings_.crossings()[v.number].feature);
     }
     return number_[slot];
   }
@@ -151,6 +169,49 @@ class Builder {
     result_.curve.push_back({{0, a > b}, leaf.input, input_.source_cell(leaf.input), certified});
   }
 
+  /// The carrier of the copy that lies on no high side, ascending.
+  std::array<VertexId, 3> lowest(const PatchCorner& corner) const {
+    const auto& [a, b, c] = corner.carrier;
+    std::array<VertexId, 3> carrier{};
+    const auto fill = [&](auto simplex) {
+      simplex = complex_.copies.lowest(simplex);
+      std::ranges::sort(simplex);
+      std::ranges::copy(simplex, carrier.begin());
+    };
+    if (corner.vertices == 1) fill(std::array{a});
+    if (corner.vertices == 2) fill(std::array{a, b});
+    if (corner.vertices == 3) fill(std::array{a, b, c});
+    return carrier;
+  }
+
+  ArcOriginal original_of(std::uint32_t n) const {
+    const PatchArc& arc = result_.arcs[n];
+    if (arc.vertices != 3) return {n};
+    const std::array face = {arc.carrier[0], arc.carrier[1], arc.carrier[2]};
+    const std::array low = complex_.copies.lowest(face);
+    if (low == face) return {n};
+    std::array<VertexId, 4> carrier = {low[0], low[1], low[2], {}};
+    std::sort(carrier.begin(), carrier.begin() + 3);
+    const auto place = [](const PatchArc& x) { return std::tie(x.carrier, x.feature); };
+    // An end on two sides is no corner of the arc below, but both have one original.
+    const auto is_copy = [&](const PatchArc& x, bool reversed) {
+      const auto& originals = result_.corner_originals;
+      return originals[x.ends[0]] == originals[arc.ends[reversed ? 1 : 0]] &&
+             originals[x.ends[1]] == originals[arc.ends[reversed ? 0 : 1]];
+    };
+    for (const PatchArc& x :
+         std::ranges::equal_range(result_.arcs, std::tie(carrier, arc.feature), {}, place)) {
+      if (!is_copy(x, false) && !is_copy(x, true)) continue;
+      ArcOriginal original = {static_cast<std::uint32_t>(&x - result_.arcs.data()),
+                              is_copy(x, true)};
+      for (std::size_t i = 0; i < 3; ++i)
+        original.places[i] =
+            static_cast<std::uint8_t>(std::ranges::find(carrier, low[i]) - carrier.begin());
+      return original;
+    }
+    return {n};
+  }
+
   static std::array<std::uint32_t, 2> ascending(std::uint32_t a, std::uint32_t b) {
     return {std::min(a, b), std::max(a, b)};
   }
@@ -173,6 +234,7 @@ class Builder {
   const FaceSpinePoints& spine_points_;
   const JoinedCrossings joined_;
   std::vector<std::uint32_t> number_;
+  std::vector<Feature> features_;        // per corner: the one that crosses there
   std::vector<ArcSlot> slots_, pieces_;  // by number of their use; by piece of the curve
   PatchComplex result_;
 };
@@ -188,6 +250,7 @@ PatchComplex make_patch_complex(const TensorField& input, RefinedComplex complex
     Builder builder(input, complex, crossings, spine_points);
     builder.add_leaves(active_leaves, features);
     builder.number_arcs();
+    builder.find_originals();
     builder.move_to(result);
   }
   result.table = crossings.table();

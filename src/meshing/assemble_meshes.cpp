@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "triplex/feature/invariants_on.hpp"
 
@@ -13,6 +14,18 @@ namespace triplex {
 namespace {
 
 constexpr std::uint32_t kUnused = 0xffffffff;
+
+/// Makes every point one of its own, and then those of corners copies of their originals' points.
+void identify_corners(const PatchComplex& complex, const std::vector<std::uint32_t>& of_corner,
+                      FeatureMesh& mesh) {
+  if (complex.corner_originals.empty()) return;
+  mesh.identified.resize(mesh.points.size());
+  std::iota(mesh.identified.begin(), mesh.identified.end(), 0u);
+  for (std::size_t n = 0; n < of_corner.size(); ++n) {
+    const std::uint32_t original = of_corner[complex.corner_originals[n]];
+    if (of_corner[n] != kUnused && original != kUnused) mesh.identified[of_corner[n]] = original;
+  }
+}
 
 class FeatureAssembler {
  public:
@@ -47,10 +60,23 @@ class FeatureAssembler {
       for (double& x : n) x = length > 0 ? x / length : 0;
     }
     std::ranges::sort(mesh_.nodes);
+    identify_corners(complex_, of_corner_, mesh_);
+    identify_arcs();
     return std::move(mesh_);
   }
 
  private:
+  void identify_arcs() {
+    for (std::uint32_t n = 0; n < complex_.arc_originals.size(); ++n) {
+      const auto& [arc, reversed, places] = complex_.arc_originals[n];
+      const std::uint32_t copy = first_of_arc_[n], original = first_of_arc_[arc];
+      if (copy == kUnused || original == kUnused) continue;
+      const auto count = static_cast<std::uint32_t>(arcs_[n].points.size());
+      for (std::uint32_t k = 0; k < count; ++k)
+        mesh_.identified[copy + k] = original + (reversed ? count - 1 - k : k);
+    }
+  }
+
   std::uint32_t shared(const OutlineVertex& v, const MeshedPatch& meshed, std::size_t i) {
     if (!v.is_corner()) return of_arc(v, meshed, i);
     std::uint32_t& number = of_corner_[v.number];
@@ -137,6 +163,7 @@ FeatureMesh assemble_curve(const PatchComplex& complex, const MeshedArcs& arcs) 
                       std::isfinite(deviation) ? arc.point_error + arc.position_error : deviation));
     add_segment(at_corner(ends[piece.use.reversed ? 0 : 1]));
   }
+  identify_corners(complex, of_corner, mesh);
   return mesh;
 }
 

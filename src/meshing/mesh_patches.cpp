@@ -139,6 +139,10 @@ class PatchMeshing::State {
                                                                       : shares[n].of_curve);
     for (const CurvePiece& piece : complex_.curve)
       targets[piece.use.arc].include({wanted_in(piece.input) / 2});
+    for (std::uint32_t n = 0; n < complex_.arc_originals.size(); ++n)
+      targets[complex_.arc_originals[n].arc].include(targets[n]);
+    for (std::uint32_t n = 0; n < complex_.arc_originals.size(); ++n)
+      targets[n] = targets[complex_.arc_originals[n].arc];
     return targets;
   }
 

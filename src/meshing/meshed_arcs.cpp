@@ -101,10 +101,36 @@ std::vector<bool> MeshedArcs::sample(const std::vector<ArcTarget>& targets) {
       changed[n] = true;
     }
   arcs_.resize(targets.size());
-  tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
+  const auto copies =
+      std::stable_partition(wanted.begin(), wanted.end(), [&](auto n) { return !is_copy(n); });
+  const auto originals = static_cast<std::size_t>(copies - wanted.begin());
+  tbb::parallel_for(std::size_t{0}, originals, [&](std::size_t i) {
     arcs_[wanted[i]] = sampled(wanted[i], targets[wanted[i]]);
   });
+  tbb::parallel_for(originals, wanted.size(),
+                    [&](std::size_t i) { arcs_[wanted[i]] = copied(wanted[i]); });
   return changed;
+}
+
+/// The sides are translates of each other: nothing but the coordinate across them differs.
+MeshedArc MeshedArcs::copied(std::uint32_t n) const {
+  const PatchArc& arc = complex_.arcs[n];
+  const auto& [original, reversed, places] = complex_.arc_originals[n];
+  MeshedArc result = arcs_[original];
+  if (!arc.certified) result.deviation = result.value = std::numeric_limits<double>::infinity();
+  const CellMap cell(*complex_.field, hosts_[n], functions_[index(arc.feature)].takes_trace());
+  result.position_error = std::max(result.position_error, cell.position_error());
+  for (std::array<double, 4>& w : result.weights) w = {w[places[0]], w[places[1]], w[places[2]], 0};
+  const Point here = complex_.field->position(arc.carrier[0]);
+  const Point there = complex_.field->position(complex_.arcs[original].carrier[places[0]]);
+  for (Point& x : result.points)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (here[i] != there[i]) x[i] = here[i];
+  if (reversed) {
+    std::ranges::reverse(result.weights);
+    std::ranges::reverse(result.points);
+  }
+  return result;
 }
 
 MeshedArc MeshedArcs::sampled(std::uint32_t n, const ArcTarget& target) const {

@@ -34,7 +34,7 @@ class MeshedArcs {
   /// Samples nothing yet.
   MeshedArcs(const PatchComplex& complex, const std::vector<SurfaceFunction>& functions);
 
-  /// Samples the arcs whose targets have changed; says which.
+  /// Samples the arcs whose targets have changed; says which. \pre periodic copies have one target.
   std::vector<bool> sample(const std::vector<ArcTarget>& targets);
 
   const MeshedArc& operator[](std::uint32_t arc) const { return arcs_[arc]; }
@@ -47,6 +47,11 @@ class MeshedArcs {
   void find_hosts();
   void bound_corner_errors();
   MeshedArc sampled(std::uint32_t arc, const ArcTarget& target) const;
+  /// The arc as its original is sampled. \pre that is.
+  MeshedArc copied(std::uint32_t arc) const;
+  bool is_copy(std::uint32_t arc) const {
+    return !complex_.arc_originals.empty() && complex_.arc_originals[arc].arc != arc;
+  }
 
   const PatchComplex& complex_;
   const std::vector<SurfaceFunction>& functions_;

@@ -13,6 +13,7 @@
 #include <iterator>
 #include <utility>
 
+#include "divide_chords.hpp"
 #include "least_disc.hpp"
 #include "patch_error.hpp"
 
@@ -117,7 +118,6 @@ class PatchMesher {
 
   PatchTriangles take(bool proven) {
     PatchTriangles result;
-    double up = 0;
     for (const Face face : t_.finite_face_handles()) {
       if (!face->info().inside) continue;
       std::array<std::uint32_t, 3> triangle;
@@ -126,11 +126,17 @@ class PatchMesher {
       // From the lowest corner, for an order that depends on the triangles alone.
       std::ranges::rotate(triangle, std::ranges::min_element(triangle));
       result.triangles.push_back(triangle);
-      if (proven) up = std::max(up, error_up(face));
     }
     std::ranges::sort(result.triangles);
     result.inside = std::move(inside_);
+    divide_chords(
+        outline_.boundary, [&](const Weights& w) { return proven ? over(w) : std::nullopt; },
+        result);
     if (proven) {
+      double up = 0;
+      const auto at = [&](std::uint32_t v) { return weights(v, result.inside); };
+      for (const auto& [a, b, c] : result.triangles)
+        up = std::max(up, triplex::error_up(outline_, plane_, {at(a), at(b), at(c)}, allowed_));
       result.error = (up + error_at_boundary(outline_, plane_)) * (1 + 0x1p-20);
       for (const Weights& w : result.inside)
         result.vertex_error = std::max(result.vertex_error, error_at(w));
@@ -143,11 +149,11 @@ class PatchMesher {
     const auto [x, y] = plane_.project(outline_.cell.position(w));
     return {x, y};
   }
-  const Weights& weights(const Vertex& v) const {
-    const std::uint32_t n = v->info();
+  const Weights& weights(std::uint32_t v, const std::vector<Weights>& inside) const {
     const std::size_t count = outline_.boundary.size();
-    return n < count ? outline_.boundary[n] : inside_[n - count];
+    return v < count ? outline_.boundary[v] : inside[v - count];
   }
+  const Weights& weights(const Vertex& v) const { return weights(v->info(), inside_); }
 
   /// Everything that is not connected with the outside.
   void mark_inside() {
@@ -239,7 +245,7 @@ class PatchMesher {
   /// A new vertex of the surface over a point of a triangle.
   Vertex insert(const Point2& p, const Face& face) {
     const auto lifted = lift(p, face);
-    if (!lifted || *std::ranges::min_element(*lifted) < 0) return {};
+    if (!lifted) return {};
     const Point2 placed = in_plane(*lifted);
     Triangulation::Locate_type type;
     int k = 0;
@@ -270,8 +276,13 @@ class PatchMesher {
       return std::nullopt;
     const Weights flat = u * weights(face->vertex(0)) +
                          (v * weights(face->vertex(1)) + (1 - u - v) * weights(face->vertex(2)));
-    return move_to_surface(outline_.cell, outline_.f, flat, plane_.up_weights,
-                           outline_.cell.size());
+    return over(flat);
+  }
+  /// The point of the surface above or below one of the cell, if it is in the cell.
+  std::optional<Weights> over(const Weights& flat) const {
+    const auto lifted =
+        move_to_surface(outline_.cell, outline_.f, flat, plane_.up_weights, outline_.cell.size());
+    return lifted && *std::ranges::min_element(*lifted) >= 0 ? lifted : std::nullopt;
   }
 
   const PatchOutline& outline_;
@@ -301,9 +312,13 @@ std::optional<Chart> plane_of(const PatchOutline& outline) {
   return plane;
 }
 
-PatchTriangles fan(std::size_t corners) {
+/// Where nothing is known of the surface, chords are divided in their middles.
+std::optional<Weights> stay(const Weights&) { return std::nullopt; }
+
+PatchTriangles fan(std::span<const Weights> corners) {
   PatchTriangles result;
-  for (std::uint32_t i = 1; i + 1 < corners; ++i) result.triangles.push_back({0, i, i + 1});
+  for (std::uint32_t i = 1; i + 1 < corners.size(); ++i) result.triangles.push_back({0, i, i + 1});
+  divide_chords(corners, stay, result);
   return result;
 }
 
@@ -313,7 +328,7 @@ PatchTriangles without_chart(const PatchOutline& outline) {
       PatchMesher mesher(outline, *plane, false, 0);
       if (mesher.start()) return mesher.take(false);
     }
-  return fan(outline.boundary.size());
+  return fan(outline.boundary);
 }
 
 }  // namespace
@@ -335,6 +350,8 @@ PatchTriangles triangulate_patch(const PatchOutline& outline, double tolerance) 
   result.triangles = least_disc(corners);
   result.is_tangled = is_proven;
   if (is_proven) result.error = error_of_tangled(outline, result.triangles);
+  divide_chords(outline.boundary, stay, result);  // the same set of points
+  if (!result.inside.empty()) result.vertex_error = result.error;
   return result;
 }
 

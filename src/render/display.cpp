@@ -4,18 +4,18 @@
 
 #include <X11/Xlib.h>
 
-#include "triplex/render/render.hpp"
+#include "triplex/render/color.hpp"
 
 namespace triplex {
 
-void require_display() {
-  Display* const display = XOpenDisplay(nullptr);
-  if (display == nullptr) {
+DisplayConnection::DisplayConnection() : display_(XOpenDisplay(nullptr)) {
+  if (display_ == nullptr) {
     throw RenderError(
         "no X display to draw on; run it under a virtual one: "
         "xvfb-run -a -s \"-screen 0 1280x1024x24\" triplex render ...");
   }
-  XCloseDisplay(display);
 }
+
+DisplayConnection::~DisplayConnection() { XCloseDisplay(static_cast<Display*>(display_)); }
 
 }  // namespace triplex

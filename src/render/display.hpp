@@ -4,8 +4,19 @@
 
 namespace triplex {
 
-/// Errors: no X display can be opened -> RenderError that names the cure. VTK would abort the
-/// process.
-void require_display();
+/// A connection to the X display, held while pictures are drawn: a server whose last client leaves
+/// starts anew, and VTK aborts the process if it asks for a connection just then, or if there is no
+/// display at all.
+class DisplayConnection {
+ public:
+  /// \throw RenderError that names the cure if no display can be opened.
+  DisplayConnection();
+  DisplayConnection(const DisplayConnection&) = delete;
+  DisplayConnection& operator=(const DisplayConnection&) = delete;
+  ~DisplayConnection();
+
+ private:
+  void* display_;
+};
 
 }  // namespace triplex

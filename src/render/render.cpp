@@ -2,83 +2,80 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triplex/render/render.hpp"
 
-#include <vtkErrorCode.h>
-#include <vtkNew.h>
+#include <fmt/format.h>
 #include <vtkObject.h>
-#include <vtkPNGWriter.h>
-#include <vtkRenderWindow.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkWindowToImageFilter.h>
-#include <vtkXMLPolyDataReader.h>
 
-#include "display.hpp"
+#include <algorithm>
+
+#include "layer.hpp"
+#include "page.hpp"
 #include "scene.hpp"
-#include "triplex/io/atomic_file.hpp"
 
 namespace triplex {
 namespace {
 
-vtkSmartPointer<vtkPolyData> read_mesh(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) throw RenderError("no such file: " + file.string());
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  if (reader->GetErrorCode() != vtkErrorCode::NoError || reader->GetOutput() == nullptr) {
-    throw RenderError("not a .vtp file that VTK can read: " + file.string());
+struct Panel {
+  FeatureSet features;
+  View view;
+  std::string caption;
+};
+
+// Groups row by row, views column by column; only what differs between the panels is named.
+std::vector<Panel> panels_of(const RenderOptions& options) {
+  std::vector<FeatureGroup> groups = {{"", options.features}};
+  if (options.sheet) groups = sheet_of_groups(options.features);
+  std::vector<Panel> panels;
+  for (const FeatureGroup& group : groups) {
+    for (const View& view : options.views) {
+      std::string name = groups.size() > 1 ? group.title : "";
+      if (options.views.size() > 1) name += (name.empty() ? "" : ", ") + view.name;
+      panels.push_back({group.features, view, std::move(name)});
+    }
   }
-  return reader->GetOutput();
+  const std::vector<std::string>& captions = options.captions;
+  if (captions.size() > panels.size()) {
+    throw RenderError(fmt::format("{} captions for {} panels: give at most one for each",
+                                  captions.size(), panels.size()));
+  }
+  for (std::size_t k = 0; k < panels.size(); ++k) {
+    if (!captions.empty()) panels[k].caption = k < captions.size() ? captions[k] : "";
+    if (panels.size() > 1)
+      panels[k].caption =
+          fmt::format("({}) {}", static_cast<char>('a' + k % 26), panels[k].caption);
+  }
+  return panels;
 }
 
-std::vector<DrawnFeature> read_features(const std::filesystem::path& directory,
-                                        const FeatureTable& table, FeatureSet wanted) {
-  std::vector<DrawnFeature> drawn;
-  for (const FeatureRow& row : table.rows()) {
-    if (!contains(wanted, row.feature)) continue;
-    auto mesh = read_mesh(directory / (std::string(row.name) + ".vtp"));
-    if (mesh->GetNumberOfCells() > 0) drawn.push_back({&row, std::move(mesh)});
+// What is drawn in any panel, each title once.
+std::vector<LegendEntry> legend_of(const Layers& layers) {
+  std::vector<LegendEntry> entries;
+  for (const Layer& layer : layers.layers) {
+    const bool known = std::any_of(entries.begin(), entries.end(),
+                                   [&](const LegendEntry& e) { return e.title == layer.title; });
+    if (!layer.title.empty() && layer.color && !known)
+      entries.push_back({layer.title, *layer.color});
   }
-  return drawn;
-}
-
-void write_picture(vtkRenderWindow* window, const std::filesystem::path& picture) {
-  vtkNew<vtkWindowToImageFilter> image;
-  image->SetInput(window);
-  image->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->WriteToMemoryOn();
-  writer->SetInputConnection(image->GetOutputPort());
-  writer->Write();
-  vtkUnsignedCharArray* const bytes = writer->GetResult();
-  if (writer->GetErrorCode() != vtkErrorCode::NoError || bytes == nullptr) {
-    throw RenderError("cannot encode the picture " + picture.string());
-  }
-  const auto* const begin = reinterpret_cast<const char*>(bytes->GetPointer(0));
-  write_file_atomically(picture, {begin, static_cast<std::size_t>(bytes->GetNumberOfValues())});
+  return entries;
 }
 
 }  // namespace
 
-std::optional<CameraPreset> camera_named(std::string_view name) {
-  if (name == "diagonal") return CameraPreset::Diagonal;
-  if (name == "x") return CameraPreset::X;
-  if (name == "y") return CameraPreset::Y;
-  if (name == "z") return CameraPreset::Z;
-  return std::nullopt;
-}
-
 void render_features(const std::filesystem::path& directory, const std::filesystem::path& picture,
                      const RenderOptions& options) {
   vtkObject::GlobalWarningDisplayOff();  // what goes wrong is thrown
-  const std::vector<DrawnFeature> features =
-      read_features(directory, options.table, options.features);
-  require_display();
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0);
-  window->SetSize(options.width, options.height);
-  window->AddRenderer(make_scene(features, options));
-  window->Render();
-  write_picture(window, picture);
+  const Layers layers = read_layers(directory, options);
+  const std::vector<Panel> panels = panels_of(options);
+  PageOptions page = {.width = options.width, .height = options.height};
+  page.columns = options.columns;
+  page.background = options.background;
+  if (panels.size() > 1 || !panels[0].caption.empty())
+    for (const Panel& panel : panels) page.captions.push_back(panel.caption);
+  if (options.legend) page.legend = legend_of(layers);
+  draw_page(picture, static_cast<int>(panels.size()), page, [&](int k, const PanelSize& size) {
+    const Panel& panel = panels[static_cast<std::size_t>(k)];
+    return make_scene(
+        layers, {panel.features, panel.view, double(size.width) / size.height, size.line}, options);
+  });
 }
 
 }  // namespace triplex

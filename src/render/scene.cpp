@@ -3,200 +3,107 @@
 #include "scene.hpp"
 
 #include <vtkActor.h>
-#include <vtkBoundingBox.h>
-#include <vtkCamera.h>
-#include <vtkCellData.h>
-#include <vtkLegendBoxActor.h>
 #include <vtkLightKit.h>
-#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkOutlineSource.h>
-#include <vtkPlaneSource.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPolyDataSilhouette.h>
 #include <vtkProperty.h>
-#include <vtkStripper.h>
-#include <vtkTextProperty.h>
-#include <vtkTubeFilter.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <string>
 
 namespace triplex {
 namespace {
 
-constexpr double kFilled = 0.95;       // of the height or width of the picture
-constexpr double kTubeRadius = 0.003;  // of the diagonal of the domain
+// Enough for the surfaces of a cell of the convection one behind the other; what lies deeper is
+// nearly hidden.
+constexpr int kPeels = 24;
 
-/// Degenerate features of symmetric tensors are curves: a surface that has only lines.
-bool is_curve_of_surfaces(const DrawnFeature& drawn) {
-  return drawn.row->kind == FeatureKind::Page && drawn.mesh->GetNumberOfPolys() == 0 &&
-         drawn.mesh->GetNumberOfLines() > 0;
-}
-
-vtkSmartPointer<vtkPolyData> tubes_around(vtkPolyData* lines, double radius) {
-  vtkNew<vtkStripper> joined;
-  joined->SetInputData(lines);
-  joined->JoinContiguousSegmentsOn();
-  vtkNew<vtkTubeFilter> tubes;
-  tubes->SetInputConnection(joined->GetOutputPort());
-  tubes->SetRadius(radius);
-  tubes->SetNumberOfSides(12);
-  tubes->CappingOn();
-  tubes->Update();
-  return tubes->GetOutput();
-}
-
-void add_feature(vtkRenderer* renderer, const DrawnFeature& drawn, int height, double tube_radius) {
+void add_layer(vtkRenderer* renderer, const Layer& layer) {
   vtkNew<vtkPolyDataMapper> mapper;
-  if (is_curve_of_surfaces(drawn))
-    mapper->SetInputData(tubes_around(drawn.mesh, tube_radius));
+  mapper->SetInputData(layer.mesh);
+  if (layer.color)
+    mapper->ScalarVisibilityOff();
   else
-    mapper->SetInputData(drawn.mesh);
-  mapper->ScalarVisibilityOff();
+    mapper->SetColorModeToDirectScalars();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   vtkProperty* const look = actor->GetProperty();
-  const auto [red, green, blue] = drawn.row->color;
-  look->SetColor(red, green, blue);
-  if (drawn.row->feature == Feature::TripleCurve) {
-    look->SetLineWidth(static_cast<float>(std::max(2.0, height / 200.0)));
-    look->LightingOff();
-    mapper->SetResolveCoincidentTopologyToPolygonOffset();
-    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-4, -4);  // in front of the surfaces
-  } else {
-    look->SetAmbient(0.22);
-    look->SetDiffuse(0.72);
-    look->SetSpecular(0.15);
-    look->SetSpecularPower(20);
-  }
+  if (layer.color) look->SetColor((*layer.color)[0], (*layer.color)[1], (*layer.color)[2]);
+  look->SetOpacity(layer.opacity);
+  look->SetInterpolationToPhong();
+  look->SetAmbient(0.22);
+  look->SetDiffuse(0.72);
+  look->SetSpecular(0.12);
+  look->SetSpecularPower(25);
   renderer->AddActor(actor);
 }
 
-void add_outline(vtkRenderer* renderer, const vtkBoundingBox& box) {
-  double bounds[6];
-  box.GetBounds(bounds);
-  vtkNew<vtkOutlineSource> outline;
-  outline->SetBounds(bounds);
+void add_silhouette(vtkRenderer* renderer, const Layer& layer, double line) {
+  vtkNew<vtkPolyDataSilhouette> edges;
+  edges->SetInputData(layer.edges_of);
+  edges->SetCamera(renderer->GetActiveCamera());
+  edges->SetBorderEdges(1);
+  edges->SetEnableFeatureAngle(0);
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(outline->GetOutputPort());
+  mapper->SetInputConnection(edges->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -2);  // in front of the surface
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(0.35, 0.35, 0.35);
+  const Color color = layer.color.value_or(Color{0.5, 0.5, 0.5});
+  actor->GetProperty()->SetColor(0.35 * color[0], 0.35 * color[1], 0.35 * color[2]);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(line));
   actor->GetProperty()->LightingOff();
   renderer->AddActor(actor);
 }
 
-vtkSmartPointer<vtkPolyData> make_swatch(const std::array<double, 3>& color) {
-  vtkNew<vtkPlaneSource> square;
-  square->Update();
-  vtkNew<vtkUnsignedCharArray> rgb;
-  rgb->SetNumberOfComponents(3);
-  rgb->InsertNextTuple3(255 * color[0], 255 * color[1], 255 * color[2]);
-  vtkSmartPointer<vtkPolyData> swatch = square->GetOutput();
-  swatch->GetCellData()->SetScalars(rgb);
-  return swatch;
-}
-
-void add_legend(vtkRenderer* renderer, const std::vector<DrawnFeature>& features) {
-  if (features.empty()) return;
-  vtkNew<vtkLegendBoxActor> legend;
-  legend->ScalarVisibilityOn();  // swatches bring their own colour; the text stays black
-  legend->SetNumberOfEntries(static_cast<int>(features.size()));
-  double black[3] = {0, 0, 0};
-  for (std::size_t k = 0; k < features.size(); ++k) {
-    std::string title(features[k].row->title);
-    if (is_curve_of_surfaces(features[k]))
-      if (const auto at = title.find("surface"); at != std::string::npos)
-        title.replace(at, 7, "curve");
-    legend->SetEntry(static_cast<int>(k), make_swatch(features[k].row->color), title.c_str(),
-                     black);
-  }
-  legend->GetEntryTextProperty()->SetColor(0, 0, 0);
-  legend->BorderOff();
-  legend->LockBorderOn();
-  legend->SetPosition(0.015, 0.015);
-  legend->SetPosition2(0.24, 0.026 * static_cast<double>(features.size()));
-  renderer->AddActor(legend);
-}
-
-// Moves the picture and zooms so that the box fills it but for a margin.
-void fit_view(vtkCamera* camera, const vtkBoundingBox& box, double aspect) {
-  vtkMatrix4x4* const projection = camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1);
-  vtkBoundingBox view;  // of the corners; the picture reaches from -1 to 1
-  for (int corner = 0; corner < 8; ++corner) {
-    double point[4] = {0, 0, 0, 1};
-    box.GetCorner(corner, point);
-    projection->MultiplyPoint(point, point);
-    view.AddPoint(point[0] / point[3], point[1] / point[3], 0);
-  }
-  const double extent = std::max(view.GetLength(0), view.GetLength(1)) / 2;
-  if (extent <= 0) return;
-  const double zoom = kFilled / extent;
-  double center[3];
-  view.GetCenter(center);
-  camera->Zoom(zoom);
-  camera->SetWindowCenter(zoom * center[0], zoom * center[1]);
-}
-
-void place_camera(vtkRenderer* renderer, const vtkBoundingBox& box, const RenderOptions& options) {
-  double center[3];
-  box.GetCenter(center);
-  std::array<double, 3> from{};
-  std::array<double, 3> up = {0, 0, 1};
-  switch (options.camera) {
-    case CameraPreset::Diagonal:
-      from = {0.62, -1, 0.55};
-      break;
-    case CameraPreset::X:
-      from = {1, 0, 0};
-      break;
-    case CameraPreset::Y:
-      from = {0, 1, 0};
-      break;
-    case CameraPreset::Z:
-      from = {0, 0, 1};
-      up = {0, 1, 0};
-      break;
-  }
-  vtkCamera* const camera = renderer->GetActiveCamera();
-  camera->SetFocalPoint(center);
-  camera->SetPosition(center[0] + from[0], center[1] + from[1], center[2] + from[2]);
-  camera->SetViewUp(up.data());
-  double bounds[6];
-  box.GetBounds(bounds);
-  renderer->ResetCamera(bounds);
-  const double aspect = static_cast<double>(options.width) / options.height;
-  fit_view(camera, box, aspect);
-  renderer->ResetCameraClippingRange(bounds);
+void add_outline(vtkRenderer* renderer, const Bounds& box, const Color& color, double line) {
+  const auto& [x, y, z] = box;
+  vtkNew<vtkOutlineSource> outline;
+  outline->SetBounds(x[0], x[1], y[0], y[1], z[0], z[1]);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(outline->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(line));
+  actor->GetProperty()->LightingOff();
+  renderer->AddActor(actor);
 }
 
 }  // namespace
 
-vtkSmartPointer<vtkRenderer> make_scene(const std::vector<DrawnFeature>& features,
-                                        const RenderOptions& options) {
-  auto renderer = vtkSmartPointer<vtkRenderer>::New();
-  renderer->SetBackground(1, 1, 1);
-  renderer->UseFXAAOn();
-  vtkBoundingBox box;
-  for (const DrawnFeature& drawn : features) box.AddBounds(drawn.mesh->GetBounds());
-  if (options.outline) {
-    const auto& [x, y, z] = *options.outline;
-    box.AddBox(vtkBoundingBox(x[0], x[1], y[0], y[1], z[0], z[1]));
-  }
-  if (!box.IsValid()) box.SetBounds(0, 1, 0, 1, 0, 1);
-  const double tube_radius = kTubeRadius * box.GetDiagonalLength();
-  for (const DrawnFeature& drawn : features)
-    add_feature(renderer, drawn, options.height, tube_radius);
-  add_outline(renderer, box);
-  add_legend(renderer, features);
-  place_camera(renderer, box, options);
+void add_lights(vtkRenderer* renderer) {
   vtkNew<vtkLightKit> lights;
   lights->SetKeyLightIntensity(0.9);
   lights->SetKeyToFillRatio(1.6);
   lights->SetKeyToBackRatio(1.6);
   lights->SetKeyToHeadRatio(1.8);
   lights->AddLightsToRenderer(renderer);
+}
+
+vtkSmartPointer<vtkRenderer> make_scene(const Layers& layers, const SceneOptions& scene,
+                                        const RenderOptions& options) {
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  const Color& ground = options.background;
+  renderer->SetBackground(ground[0], ground[1], ground[2]);
+  place_camera(renderer, layers.box, scene.view, scene.aspect, options.zoom);
+  bool transparent = false;
+  for (const Layer& layer : layers.layers) {
+    if ((layer.groups & scene.features) == 0 && ~layer.groups != 0) continue;
+    add_layer(renderer, layer);
+    transparent |= layer.opacity < 1;
+    if (options.silhouettes && layer.edges_of) add_silhouette(renderer, layer, scene.line);
+  }
+  if (options.outline) add_outline(renderer, layers.box, *options.outline, scene.line);
+  if (transparent) {
+    renderer->UseDepthPeelingOn();
+    renderer->SetMaximumNumberOfPeels(kPeels);
+    renderer->SetOcclusionRatio(0);
+  }
+  add_lights(renderer);
   return renderer;
 }
 

@@ -2,24 +2,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vtkPolyData.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
-#include <vector>
-
-#include "triplex/feature/feature.hpp"
+#include "layer.hpp"
 #include "triplex/render/render.hpp"
 
 namespace triplex {
 
-struct DrawnFeature {
-  const FeatureRow* row;
-  vtkSmartPointer<vtkPolyData> mesh;
+/// The layers that show one of `features`, and those that belong to no feature, with the outline,
+/// lit and seen from `view`. `aspect` is width by height of the panel, `line` a width in pixels.
+struct SceneOptions {
+  FeatureSet features;
+  View view;
+  double aspect;
+  double line;
 };
-
-/// Surfaces, curve, outline, legend and camera, on a white ground.
-vtkSmartPointer<vtkRenderer> make_scene(const std::vector<DrawnFeature>& features,
+vtkSmartPointer<vtkRenderer> make_scene(const Layers& layers, const SceneOptions& scene,
                                         const RenderOptions& options);
+
+/// Places the camera so that the box fills the panel but for a margin.
+void place_camera(vtkRenderer* renderer, const Bounds& box, const View& view, double aspect,
+                  double zoom);
+
+/// Light from all sides, so that no surface is black, and no shine.
+void add_lights(vtkRenderer* renderer);
 
 }  // namespace triplex

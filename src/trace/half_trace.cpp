@@ -15,6 +15,11 @@ namespace {
 /// number of tets at a vertex is of that order.
 constexpr int kMostHops = 64;
 
+/// The sector of a place, or -1 on a page and on the spine.
+int sector_at(const Classification& place) {
+  return place.stratum == Stratum::Sector ? place.number : -1;
+}
+
 bool is_direction(const Vector& v) { return v[0] == v[0]; }
 
 }  // namespace
@@ -30,6 +35,7 @@ StemEnd HalfTrace::run(const StemPoint& seed) {
   points = {seed};
   cell_ = CellField(walk_.field(), seed.tet);
   branch_ = branch_in(options_.field, region_of(seed.place), Branch::Major);
+  sector_ = sector_at(seed.place);
   proposed_ = cell_.size() / 8;
   for (;;) {
     if (options_.interrupted && *options_.interrupted) throw Interrupted{};
@@ -59,10 +65,10 @@ void HalfTrace::see(const CellStep& step, double length, Advance& a) const {
   a.length = length;
   a.to = step.step(length);
   a.tensor = cell_.tensor(a.to.position);
-  a.region = region_of(classify(a.tensor));
+  a.place = classify(a.tensor);
 }
 
-/// A step of small error that ends in the tet, at its border or where the branch ceases to hold.
+/// A step of small error that ends in the tet, at its border or where the sector changes.
 HalfTrace::Advance HalfTrace::try_step(const CellStep& step, double length) const {
   for (;;) {
     Advance a;
@@ -75,17 +81,34 @@ HalfTrace::Advance HalfTrace::try_step(const CellStep& step, double length) cons
         a.to = step.step(a.length);
       }
     a.tensor = cell_.tensor(a.to.position);
-    a.region = region_of(classify(a.tensor));
+    a.place = classify(a.tensor);
     if (cut_at_change(step, a)) return a;
     length = a.length / 2;
   }
 }
 
-/// Ends the step where the branch first ceases to hold. False if the straight segment crosses where
-/// the curve itself may not: to be tried again with a shorter step.
+/// The eigenvector that is followed jumps to another one there, or does not exist.
+bool HalfTrace::breaks(const Classification& place) const {
+  const Region region = region_of(place);
+  if (holds_in(options_.field, branch_, region)) return false;
+  return options_.field != EigenvectorField::Dominant ||
+         (branch_ != Branch::Simple && region != Region::Complex);
+}
+
+/// A step may run on there: nothing breaks, and the sector is the same. Crossings of pages end a
+/// step too, so that events lie on the curve and not on a chord; but not two in short succession:
+/// along a page the sector may change with every rounding.
+bool HalfTrace::keeps(const Classification& place) const {
+  if (breaks(place)) return false;
+  const bool recent = last_change_ >= 0 && points.back().arc_length - last_change_ <= 4 * error();
+  if (recent || place.stratum != Stratum::Sector) return true;
+  return sector_ < 0 || place.number == sector_;
+}
+
+/// Ends the step at the first change. False if the straight segment crosses where the curve itself
+/// may not: to be tried again with a shorter step.
 bool HalfTrace::cut_at_change(const CellStep& step, Advance& a) const {
-  const auto holds = [&](Region r) { return holds_in(options_.field, branch_, r); };
-  if (!holds(a.region)) {
+  if (!keeps(a.place)) {
     cut_between(step, 0, a.length, a);
     return true;
   }
@@ -94,11 +117,11 @@ bool HalfTrace::cut_at_change(const CellStep& step, Advance& a) const {
   const SegmentSectors s = sectors_along(start, a.tensor);
   for (std::size_t i = 0; i < s.stretches.size(); ++i) {
     const auto& stretch = s.stretches[i];
-    if (stretch.sector < 0 || holds(region_of_sector(stretch.sector))) continue;
+    if (stretch.sector < 0 || keeps({Stratum::Sector, stretch.sector})) continue;
     const double end = i + 1 < s.stretches.size() ? s.stretches[i + 1].begin_approx : 1;
     Advance middle = a;
     see(step, a.length * (stretch.begin_approx + end) / 2, middle);
-    if (!holds(middle.region)) {
+    if (!keeps(middle.place)) {
       cut_between(step, 0, middle.length, middle);
       a = middle;
       return true;
@@ -108,19 +131,26 @@ bool HalfTrace::cut_at_change(const CellStep& step, Advance& a) const {
   return true;
 }
 
-/// Bisects between lengths where the branch holds and where it does not, to neighbouring doubles. A
-/// field that jumps goes on from behind the change, one that ends stops before it.
+/// Bisects between lengths before and behind a change, down to rounding. A field that goes on goes
+/// on from behind the change, one that ends stops before it.
 void HalfTrace::cut_between(const CellStep& step, double lo, double hi, Advance& a) const {
   Advance at = a;
+  see(step, hi, a);
   for (;;) {
     const double middle = lo + (hi - lo) / 2;
     if (!(lo < middle && middle < hi) || hi - lo <= 0x1p-60 * cell_.size()) break;
     see(step, middle, at);
-    (holds_in(options_.field, branch_, at.region) ? lo : hi) = middle;
+    if (keeps(at.place)) {
+      lo = middle;
+    } else {
+      hi = middle;
+      a = at;
+    }
   }
   a.left = false;
   a.changed = true;
-  see(step, options_.field == EigenvectorField::Dominant ? hi : lo, a);
+  a.ended = options_.field != EigenvectorField::Dominant && breaks(a.place);
+  if (a.ended) see(step, lo, a);
 }
 
 std::optional<StemEnd> HalfTrace::advance() {
@@ -141,26 +171,33 @@ std::optional<StemEnd> HalfTrace::advance() {
   return accept(a);
 }
 
-/// Stores the end of a step, and what follows from a change of region there.
+/// The direction turns by more than 60 degrees within a length that is not told from none (both
+/// numbers are choices): next to a point without a direction, into which curves may run.
+bool HalfTrace::turns_within_error(const Advance& a, const Vector& forward) const {
+  return a.length <= 64 * error() && dot(forward, points.back().forward) < 0.5;
+}
+
+/// Stores the end of a step, and what follows from a change there.
 std::optional<StemEnd> HalfTrace::accept(const Advance& a) {
   StemPoint p;
   p.position = a.to.position;
   p.tet = cell_.tet();
   p.tensor = a.tensor;
-  p.place = classify(a.tensor);
+  p.place = a.place;
   p.arc_length = points.back().arc_length + a.length;
-  const bool ends = a.changed && options_.field != EigenvectorField::Dominant;
-  const bool holds = holds_in(options_.field, branch_, a.region);
-  const Branch next = branch_in(options_.field, a.region, branch_);
   // At the real neutral surface the curve arrives along the eigenvector that dominated so far.
-  const bool jumps = !holds && branch_ != Branch::Simple && next != Branch::Simple;
+  const bool jumps = !a.ended && breaks(a.place);
+  const Branch next = branch_in(options_.field, region_of(a.place), branch_);
   p.forward = eigenvector_of(p.tensor, jumps ? branch_ : next);
-  if (!is_direction(p.forward)) return ends ? StemEnd::Domain : StemEnd::NoDirection;
+  if (!is_direction(p.forward)) return a.ended ? StemEnd::Domain : StemEnd::NoDirection;
   if (dot(p.forward, points.back().forward) < 0) p.forward = -1 * p.forward;
+  if (turns_within_error(a, p.forward)) return StemEnd::NoDirection;
+  sector_ = sector_at(p.place);
+  if (a.changed) last_change_ = p.arc_length;
   if (jumps) return turn(p, next);
   branch_ = next;
   if (p.position != points.back().position) points.push_back(p);
-  if (ends) return StemEnd::Domain;
+  if (a.ended) return StemEnd::Domain;
   return std::nullopt;
 }
 

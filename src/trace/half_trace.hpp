@@ -27,17 +27,21 @@ class HalfTrace {
     double length = 0;
     State to;
     Tensor<double> tensor{};
-    Region region = Region::Complex;
+    Classification place;
     bool left = false;     // the step ends on the tet's border
-    bool changed = false;  // ... where the branch ceases to hold
+    bool changed = false;  // ... where the sector changes
+    bool ended = false;    // ... before the border of the field's domain
     double proposed = 0;
   };
   bool cross_cells();
   std::optional<StemEnd> advance();
   Advance try_step(const CellStep& step, double length) const;
   void see(const CellStep& step, double length, Advance& a) const;
+  bool breaks(const Classification& place) const;
+  bool keeps(const Classification& place) const;
   bool cut_at_change(const CellStep& step, Advance& a) const;
   void cut_between(const CellStep& step, double lo, double hi, Advance& a) const;
+  bool turns_within_error(const Advance& a, const Vector& forward) const;
   std::optional<StemEnd> accept(const Advance& a);
   std::optional<StemEnd> turn(const StemPoint& at, Branch next);
   double error() const;
@@ -46,9 +50,11 @@ class HalfTrace {
   const TraceOptions& options_;
   CellField cell_;
   Branch branch_ = Branch::Major;
-  double proposed_ = 0;    // length of the next step
-  double last_turn_ = -1;  // arc length of the last jump
-  int hops_ = 0;           // changes of tet without progress
+  double proposed_ = 0;      // length of the next step
+  int sector_ = -1;          // of the last point, if it has one
+  double last_turn_ = -1;    // arc length of the last jump
+  double last_change_ = -1;  // arc length of the last change of sector
+  int hops_ = 0;             // changes of tet without progress
 };
 
 }  // namespace triplex::detail

@@ -148,15 +148,14 @@ class EventList {
 
   void segment(std::size_t i) {
     const SegmentSectors s = sectors_along(stem_.points[i].tensor, stem_.points[i + 1].tensor);
-    for (std::size_t k = 0; k < s.stretches.size(); ++k) {
-      const auto& stretch = s.stretches[k];
-      spine_ = stretch.begins_on_spine || (k == 0 && spine_);
+    for (const auto& stretch : s.stretches) {
+      spine_ = spine_ || stretch.begins_on_spine;
       if (stretch.sector < 0) continue;  // a stretch on a page: what follows tells
       if (sector_ >= 0 && sector_ != stretch.sector) add(i, stretch);
       sector_ = stretch.sector;
       spine_ = false;
     }
-    spine_ = s.ends_on_spine;
+    spine_ = spine_ || s.ends_on_spine;
   }
 
   std::vector<StemEvent> take() { return std::move(events_); }
@@ -184,7 +183,7 @@ class EventList {
   const Hyperstreamline& stem_;
   std::vector<StemEvent> events_;
   int sector_ = -1;     // of the last stretch that has one
-  bool spine_ = false;  // the next stretch begins on the spine
+  bool spine_ = false;  // the path has been on the spine since
 };
 
 }  // namespace

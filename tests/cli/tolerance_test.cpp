@@ -108,9 +108,6 @@ TEST(Tolerance, BadOnesAreRefused) {
     EXPECT_EQ(outcome.code, 1) << bad;
     EXPECT_THAT(outcome.err, HasSubstr("--tolerance")) << bad;
   }
-  const Outcome both = run({"extract", field, "-o", out, "--tolerance", "1", "--periodic", "x"});
-  EXPECT_EQ(both.code, 1);
-  EXPECT_THAT(both.err, HasSubstr("--periodic"));
   EXPECT_FALSE(fs::exists(out));
 }
 

@@ -126,6 +126,18 @@ TEST(StemEvents, PointsAndStretchesOnAPage) {
   EXPECT_TRUE(stem_events(stem_through({page, real})).empty());
 }
 
+TEST(StemEvents, AlongAPageThroughTheSpine) {
+  const auto linear = block(1, 0, 0, -0.5), neutral = block(1, 0, 0, 0),
+             planar = block(1, 0, 0, 0.5);
+  auto events = stem_events(stem_through({linear, neutral, block(2, 0, 0, 0), planar}));
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].feature, Feature::NeutralReal);
+  events = stem_events(stem_through({linear, neutral, block(-1, 0, 0, 0), block(-1, 0, 0, 0.5)}));
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].feature, Feature::TripleCurve);
+  EXPECT_EQ(events[0].segment, 2u);
+}
+
 TEST(StemEvents, LeapsAreNoSegments) {
   auto stem = stem_through(
       {block(1, 0, 0, 30), block(2, 0, 1, 30), block(2, 0, 1, 30), block(3, 0, 1, 30)});

@@ -60,6 +60,14 @@ struct CurvePiece {
   bool certified = false;
 };
 
+/// The arc that one on a side of a periodic domain is a copy of.
+struct ArcOriginal {
+  std::uint32_t arc = 0;  ///< itself, if of none
+  bool reversed = false;  ///< its ends correspond the other way round
+  /// Where in the carrier of the original the vertex is that each of the carrier's is a copy of.
+  std::array<std::uint8_t, 3> places = {0, 1, 2};
+};
+
 /// What extraction knows of the features before it makes triangles of them: corners, the arcs
 /// between them, and the patches that these bound, with the refined field that they lie in. The
 /// input field must outlive it.
@@ -71,6 +79,11 @@ struct PatchComplex {
   std::vector<Patch> patches;  ///< by tet, then by feature; oriented like the triangles
   std::vector<ArcUse> uses;
   std::vector<CurvePiece> curve;  ///< if the triple degenerate curve was asked for
+  /// Of a periodic domain, else empty. Per corner: the one that it is a copy of (itself, if of
+  /// none). Originals lie on no high side, and all they are and have is that of their copies, but
+  /// for the coordinate across the side.
+  std::vector<std::uint32_t> corner_originals;
+  std::vector<ArcOriginal> arc_originals;  ///< the same per arc
 
   std::span<const ArcUse> boundary(const Patch& patch) const {
     return std::span(uses).subspan(patch.first, patch.arcs);

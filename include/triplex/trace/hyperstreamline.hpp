@@ -46,12 +46,14 @@ struct StemEvent {
 
 /// Why a hyperstreamline stops.
 enum class StemEnd : std::uint8_t {
-  Boundary,     ///< it left the mesh
-  Domain,       ///< the eigenvector that it follows does not exist further on
-  NoDirection,  ///< no unique eigenvector: a node, or a multiple of the identity
-  Sliding,      ///< the dominant eigenvectors of both sides lead back to the real neutral surface
-  Length,       ///< the asked length
-  Steps,        ///< the asked number of steps
+  Boundary,  ///< it left the mesh
+  Domain,    ///< the eigenvector that it follows does not exist further on
+  /// No unique eigenvector: a node, a multiple of the identity, a degenerate curve of a symmetric
+  /// field; or one that turns by more than 60 degrees within the tolerance, next to such a place.
+  NoDirection,
+  Sliding,  ///< the dominant eigenvectors of both sides lead back to the real neutral surface
+  Length,   ///< the asked length
+  Steps,    ///< the asked number of steps
 };
 
 /// A curve tangent to an eigenvector field, through a seed, in both directions.

@@ -41,7 +41,7 @@ class Tracer {
   /// The hyperstreamline through the seed, in both directions, with its events.
   /// Method: adaptive Runge-Kutta steps (Dormand and Prince, order 5 with an error estimate), each
   /// in the linear field of one tet: a step ends on the face by which the curve leaves. Steps also
-  /// end where the eigenvector jumps or ceases to exist.
+  /// end where the sector changes: just behind the crossing, or before it if the field ends there.
   /// Guarantee: every `forward` is an eigenvector of the stored tensor as accurate as
   /// `eigenvectors` says, and turned like the one before it (at real neutral crossings, which
   /// change the eigenvector: by less than a right angle); the events are exact for the stored
