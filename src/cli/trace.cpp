@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -23,6 +24,7 @@
 #include "triplex/io/read_field.hpp"
 #include "triplex/io/read_vectors.hpp"
 #include "triplex/io/write_hyperstreamlines.hpp"
+#include "triplex/trace/tet_locator.hpp"
 #include "triplex/trace/tracer.hpp"
 #include "version.hpp"
 
@@ -80,19 +82,19 @@ TraceOptions trace_options(const TraceRequest& request) {
   return options;
 }
 
-/// The user's own seeds, and those of the grid that the mesh holds.
-std::vector<Point> seeds_inside(const TraceRequest& request, const TensorField& field,
-                                const Tracer& tracer, TraceResults& results) {
-  const Seeds seeds = find_seeds(request.seeds, box_of(field.mesh));
+/// The user's own seeds, and those of the grid that the mesh holds. `find(x)`: whether it does.
+template <class Find>
+std::vector<Point> seeds_inside(const TraceRequest& request, const TetMesh& mesh, const Find& find,
+                                TraceResults& results) {
+  const Seeds seeds = find_seeds(request.seeds, box_of(mesh));
   for (const auto& [x, y, z] : seeds.own)
-    if (!tracer.find({x, y, z}))
+    if (!find({x, y, z}))
       throw BadInput(fmt::format(
           "{}: the seed ({}, {}, {}) lies outside the mesh; choose one inside (triplex info shows "
           "its box)",
           request.field, x, y, z));
   std::vector<Point> inside = seeds.own;
-  for (const Point& seed : seeds.of_grid)
-    if (tracer.find(seed)) inside.push_back(seed);
+  std::ranges::copy_if(seeds.of_grid, std::back_inserter(inside), find);
   results.seeds = inside.size();
   results.seeds_outside = seeds.own.size() + seeds.of_grid.size() - inside.size();
   return inside;
@@ -121,7 +123,7 @@ Plant grow_all(const TraceRequest& request, const std::vector<Hyperstreamline>& 
   return plant;
 }
 
-/// Files that this run does not write go, if an earlier one wrote them.
+/// A file that this run does not write goes, if an earlier one wrote them.
 template <class Write>
 void write_or_drop(StagedDirectory& directory, const char* name, bool wanted, const Write& write) {
   if (wanted)
@@ -143,7 +145,8 @@ std::vector<Point> trace_tensors(const TraceRequest& request, StagedDirectory& d
   std::vector<Point> seeds;
   try {
     const Tracer tracer(field, parse_axes(request.periodic));
-    seeds = seeds_inside(request, field, tracer, results);
+    const auto find = [&](const Point& x) { return tracer.find(x).has_value(); };
+    seeds = seeds_inside(request, field.mesh, find, results);
     progress.show("tracing");
     results.curves = tracer.trace_all(seeds, trace_options(request));
   } catch (const BadInput& error) {
@@ -167,28 +170,39 @@ std::vector<Point> trace_tensors(const TraceRequest& request, StagedDirectory& d
   return seeds;
 }
 
-/// The velocity array, which may be the same for streamlines and cores.
-void trace_flow(const TraceRequest& request, const std::vector<Point>& seeds, Progress& progress,
-                TraceResults& results) {
-  if (!request.streamlines.empty()) {
+/// The arrays that streamlines and cores are made of: read first, as they may be missing.
+struct Velocities {
+  std::shared_ptr<const VectorField> streamlines, cores;
+
+  explicit Velocities(const TraceRequest& request) {
+    const auto read = [&](const std::string& name) {
+      return std::make_shared<const VectorField>(
+          read_vectors(request.field, name, request.repairs()));
+    };
+    if (!request.streamlines.empty()) streamlines = read(request.streamlines);
+    if (request.cores.empty()) return;
+    cores = request.cores == request.streamlines ? streamlines : read(request.cores);
+  }
+};
+
+void trace_flow(const TraceRequest& request, const Velocities& velocities, std::vector<Point> seeds,
+                Progress& progress, TraceResults& results) {
+  if (velocities.streamlines) {
     progress.show("streamlines");
-    const VectorField field = read_vectors(request.field, request.streamlines, request.repairs());
-    const Box box = box_of(field.mesh);
-    std::vector<Point> starts = seeds;
+    const VectorField& field = *velocities.streamlines;
     if (!request.wants_curves()) {
-      const Seeds found = find_seeds(request.seeds, box);
-      starts = found.own;
-      starts.insert(starts.end(), found.of_grid.begin(), found.of_grid.end());
-      results.seeds = starts.size();
+      const TetLocator locator(field.mesh);
+      const auto find = [&](const Point& x) { return locator.find(x).has_value(); };
+      seeds = seeds_inside(request, field.mesh, find, results);
     }
     results.streamlines =
-        streamlines(field, starts, {.max_length = request.length, .max_steps = request.max_steps});
+        streamlines(field, seeds, {.max_length = request.length, .max_steps = request.max_steps});
     throw_if_interrupted();
   }
-  if (!request.cores.empty()) {
+  if (velocities.cores) {
     progress.show("vortex cores");
-    const VectorField field = read_vectors(request.field, request.cores, request.repairs());
-    results.cores = vortex_cores(field, request.unfiltered ? CoreFilter::Complex : CoreFilter::Vtk);
+    results.cores =
+        vortex_cores(*velocities.cores, request.unfiltered ? CoreFilter::Complex : CoreFilter::Vtk);
     throw_if_interrupted();
   }
 }
@@ -220,6 +234,8 @@ ExitCode run_trace(const TraceRequest& request) {
   TraceResults results;
   std::string reading_lines;
   StagedDirectory directory(request.directory);
+  progress.show("reading and checking");
+  const Velocities velocities(request);
   std::vector<Point> seeds;
   if (request.wants_curves()) {
     seeds = trace_tensors(request, directory, progress, results, reading_lines);
@@ -227,7 +243,7 @@ ExitCode run_trace(const TraceRequest& request) {
     for (const char* name : {"hyperstreamlines.vtp", "events.vtp", "plant.vtp"})
       directory.drop(name);
   }
-  trace_flow(request, seeds, progress, results);
+  trace_flow(request, velocities, std::move(seeds), progress, results);
   progress.show("writing");
   write_or_drop(directory, "streamlines.vtp", results.streamlines.has_value(),
                 [&](const auto& file) { write_lines(file, *results.streamlines); });

@@ -203,6 +203,10 @@ TEST(Trace, StreamlinesAndVortexCores) {
   ASSERT_EQ(traced({"--vortex-cores", "velocity"}).code, 0);
   EXPECT_THAT(names_in(data.out), UnorderedElementsAre("vortex-cores.vtp", "trace.json"));
   EXPECT_EQ(traced({"--vortex-cores", "speed"}).code, 1);
+  const Outcome outside =
+      traced({"--streamlines", "velocity", "--follow", "none", "--seed", "0.5,7,0.5"});
+  EXPECT_EQ(outside.code, 1);
+  EXPECT_THAT(outside.err, HasSubstr("(0.5, 7, 0.5) lies outside"));
 }
 
 TEST(Trace, RefusesWithOneLineThatNamesTheFault) {
