@@ -117,6 +117,8 @@ Hyperstreamline Tracer::trace(const Point& seed, const TraceOptions& options) co
   return with_fp_environment([&] { return trace_both_ways(data_->walk, seed, o); });
 }
 
+std::optional<TetId> Tracer::find(const Point& x) const { return data_->walk.locator().find(x); }
+
 std::vector<Hyperstreamline> Tracer::trace_all(std::span<const Point> seeds,
                                                const TraceOptions& options) const {
   std::vector<Hyperstreamline> stems(seeds.size());

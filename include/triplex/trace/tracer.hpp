@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,9 @@ class Tracer {
   /// point with a `forward` of NaNs.
   /// \throw BadInput if the seed lies outside the mesh or an option is out of its range.
   Hyperstreamline trace(const Point& seed, const TraceOptions& options = {}) const;
+
+  /// The tet that holds a point, as `TetLocator::find`: nothing outside the mesh.
+  std::optional<TetId> find(const Point& x) const;
 
   /// One for each seed, in their order: the same bytes for any number of threads. Parallel.
   std::vector<Hyperstreamline> trace_all(std::span<const Point> seeds,
