@@ -13,6 +13,6 @@ draw lorenz lorenz --sheet --columns 4 --size 1600x510 --view -60,18 --opacity 0
 
 "$triplex" generate lorenz -n 10 --box -3 3 -3 3 26 32 -o lorenz_node.vtu
 extract lorenz_node lorenz_node.vtu --tolerance 1e-2r
-draw lorenz_node lorenz_node --size 1300x560 --opacity 0.75 --silhouettes --view -70,12 \
+draw lorenz_node lorenz_node --size 1300x560 --opacity 0.75 --view -70,12 \
   --panel degenerate-planar --panel degenerate-planar,neutral-real,balanced-planar \
   --caption "planar degenerate surface" --caption "with real neutral, planar balanced"

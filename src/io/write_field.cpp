@@ -39,7 +39,8 @@ std::string xml_escaped(const std::string& name) {
   return result;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> to_vtk(const TensorField& field, const std::string& name) {
+vtkSmartPointer<vtkUnstructuredGrid> to_vtk(const TensorField& field, const std::string& name,
+                                            std::span<const Point> velocities) {
   const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->SetPoints(detail::to_vtk_points(field.mesh.points));
   const auto offsets = vtkSmartPointer<vtkTypeInt64Array>::New();
@@ -60,6 +61,9 @@ vtkSmartPointer<vtkUnstructuredGrid> to_vtk(const TensorField& field, const std:
   grid->SetCells(VTK_TETRA, cells);
   const double* values = field.tensors.empty() ? nullptr : field.tensors.front().data();
   grid->GetPointData()->AddArray(detail::to_vtk_array(name, values, field.tensors.size(), 9));
+  if (!velocities.empty())
+    grid->GetPointData()->AddArray(
+        detail::to_vtk_array("velocity", velocities.front().data(), velocities.size(), 3));
   return grid;
 }
 
@@ -69,13 +73,14 @@ bool can_write_field(const std::filesystem::path& file) {
   return file.extension() == ".vtu" || file.extension() == ".vtk";
 }
 
-void write_field(const std::filesystem::path& file, const TensorField& field) {
+void write_field(const std::filesystem::path& file, const TensorField& field,
+                 std::span<const Point> velocities) {
   if (!can_write_field(file)) {
     throw IoError(file.string() + ": cannot write: unknown kind of file; choose .vtu or .vtk");
   }
   const std::string name = field.array_name.empty() ? "tensor" : field.array_name;
   const bool xml = file.extension() == ".vtu";
-  const auto grid = to_vtk(field, xml ? xml_escaped(name) : name);
+  const auto grid = to_vtk(field, xml ? xml_escaped(name) : name, velocities);
   if (xml) {
     detail::write_xml(file, *vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New(), *grid);
   } else {

@@ -67,13 +67,17 @@ void set_captions(std::vector<Panel>& panels, const std::vector<std::string>& ca
 }
 
 // What is drawn in any panel, each title once.
-std::vector<LegendEntry> legend_of(const std::vector<Layers>& drawn) {
+std::vector<LegendEntry> legend_of(const std::vector<Layers>& drawn,
+                                   const std::vector<Panel>& panels) {
   std::vector<LegendEntry> entries;
-  for (const Layers& layers : drawn) {
-    for (const Layer& layer : layers.layers) {
+  for (std::size_t s = 0; s < drawn.size(); ++s) {
+    FeatureSet shown = 0;
+    for (const Panel& panel : panels)
+      if (panel.subject == s) shown |= panel.features;
+    for (const Layer& layer : drawn[s].layers) {
       const bool known = std::any_of(entries.begin(), entries.end(),
                                      [&](const LegendEntry& e) { return e.title == layer.title; });
-      if (!layer.title.empty() && layer.color && !known)
+      if ((layer.groups & shown) != 0 && !layer.title.empty() && layer.color && !known)
         entries.push_back({layer.title, *layer.color});
     }
   }
@@ -94,7 +98,7 @@ void render_features(const std::vector<Subject>& subjects, const std::filesystem
   page.background = options.background;
   if (panels.size() > 1 || (panels.size() == 1 && !panels[0].caption.empty()))
     for (const Panel& panel : panels) page.captions.push_back(panel.caption);
-  if (options.legend) page.legend = legend_of(layers);
+  if (options.legend) page.legend = legend_of(layers, panels);
   draw_page(picture, static_cast<int>(panels.size()), page, [&](int k, const PanelSize& size) {
     const Panel& panel = panels[static_cast<std::size_t>(k)];
     const SceneOptions scene = {.features = panel.features,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 #include "triplex/field/tensor_field.hpp"
 #include "triplex/io/atomic_file.hpp"
@@ -16,6 +17,8 @@ bool can_write_field(const std::filesystem::path& file);
 /// written bit for bit; equal fields give equal bytes. The array is called `field.array_name`, or
 /// "tensor". Guarantee: all or nothing, as `write_file_atomically`. \throw IoError, also for other
 /// extensions.
-void write_field(const std::filesystem::path& file, const TensorField& field);
+/// `velocities`, one per point, become the array `velocity` if there are any.
+void write_field(const std::filesystem::path& file, const TensorField& field,
+                 std::span<const Point> velocities = {});
 
 }  // namespace triplex
