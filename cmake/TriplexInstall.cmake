@@ -5,12 +5,12 @@
 # the core does not need VTK: the core layers, and what reads, writes and draws.
 #   find_package(triplex REQUIRED)                        triplex::triplex, the core layers
 #   find_package(triplex REQUIRED COMPONENTS io render)   triplex::io, triplex::contour,
-#                                                         triplex::render as well
+#                                                         triplex::flow, triplex::render as well
 include(CMakePackageConfigHelpers)
 
 get_property(layers GLOBAL PROPERTY TRIPLEX_LAYERS)
 set(program_layers ${layers})
-list(FILTER program_layers INCLUDE REGEX "^triplex_(io|contour|render)$")
+list(FILTER program_layers INCLUDE REGEX "^triplex_(io|contour|flow|render)$")
 set(core_layers ${layers})
 list(REMOVE_ITEM core_layers ${program_layers})
 

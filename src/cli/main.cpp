@@ -40,6 +40,7 @@ void describe(CLI::App& program) {
       "  triplex render lorenz -o lorenz.png\n"
       "  triplex audit lorenz.vtu -o audit\n"
       "  triplex compare lorenz/neutral-real.vtp other.ply\n"
+      "  triplex trace lorenz.vtu -o trace --seed 5,5,20\n"
       "Exit codes: 0 certified, 1 bad input or usage, 2 done but with unresolved cells (of\n"
       "  compare: but the meshes differ), 3 internal fault, 4 out of memory or disk, 130 "
       "interrupted.");
@@ -79,6 +80,7 @@ ExitCode run(int argc, char** argv) {
   add_plot_space(program, action);
   add_audit(program, action);
   add_compare(program, action);
+  add_trace(program, action);
   if (const auto done = parse(program, argc, argv, action)) return *done;
   install_signal_handlers();
   const ExitCode code = action();

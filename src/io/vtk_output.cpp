@@ -64,8 +64,8 @@ vtkSmartPointer<vtkDataArray> to_vtk_array(const std::string& name, const std::i
 }
 
 vtkSmartPointer<vtkDataArray> to_vtk_array(const std::string& name, const std::uint8_t* values,
-                                           std::size_t size) {
-  return borrow<vtkTypeUInt8Array>(name, values, size, 1);
+                                           std::size_t size, int components) {
+  return borrow<vtkTypeUInt8Array>(name, values, size, components);
 }
 
 vtkSmartPointer<vtkPoints> to_vtk_points(const std::vector<Point>& points) {

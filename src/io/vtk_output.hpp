@@ -28,7 +28,7 @@ vtkSmartPointer<vtkDataArray> to_vtk_array(const std::string& name, const double
 vtkSmartPointer<vtkDataArray> to_vtk_array(const std::string& name, const std::int64_t* values,
                                            std::size_t size);
 vtkSmartPointer<vtkDataArray> to_vtk_array(const std::string& name, const std::uint8_t* values,
-                                           std::size_t size);
+                                           std::size_t size, int components = 1);
 
 /// Runs a writer into memory and writes the result atomically: XML as inline base64, never appended
 /// (some readers cannot read that), legacy as binary. \throw IoError.

@@ -25,17 +25,18 @@ struct StemPoint {
   std::array<double, 3> forward{};
   double arc_length =
       0;        ///< from the seed, negative behind it; what periodic jumps skip is not counted
-  TetId tet{};  ///< the tet whose linear field was followed here
-  Tensor<double> tensor{};  ///< T, interpolated in `tet` in doubles
+  TetId tet{};  ///< one that holds the position, to rounding
+  Tensor<double> tensor{};  ///< T, interpolated in a tet that holds the position, in doubles
   Classification place;     ///< of `tensor`
 };
 
 /// A crossing of a feature surface, or of the spine, within a segment of a hyperstreamline.
-/// It is exact for the polyline as stored: the sector changes there along the straight segment
-/// between the two points, in the linear field of the segment's tet.
+/// It is exact for the polyline as stored: the sector of (1 - t) T0 + t T1 changes there, where T0
+/// and T1 are the tensors stored at the segment's ends. They are the field's to rounding, and the
+/// field is linear along the segment, which lies in one tet. Source: proofs/stem_events.md.
 struct StemEvent {
   std::size_t segment = 0;  ///< from point `segment` to point `segment + 1`
-  double fraction = 0;      ///< where on it, in [0, 1]
+  double fraction = 0;      ///< where on it, in [0, 1], to rounding
   Point position{};
   Feature feature = Feature::NeutralReal;
   int sector_before = 0, sector_after = 0;  ///< numbers as in `Classification`
@@ -48,6 +49,7 @@ enum class StemEnd : std::uint8_t {
   Boundary,     ///< it left the mesh
   Domain,       ///< the eigenvector that it follows does not exist further on
   NoDirection,  ///< no unique eigenvector: a node, or a multiple of the identity
+  Sliding,      ///< the dominant eigenvectors of both sides lead back to the real neutral surface
   Length,       ///< the asked length
   Steps,        ///< the asked number of steps
 };
