@@ -21,10 +21,10 @@ constexpr std::uintmax_t kLargest = 400'000, kLargestSum = 4'000'000;  // bytes
 
 const std::map<std::string, HasHue>& hues() {
   static const std::map<std::string, HasHue> table = {
-      {"green", kGreen},   {"yellow", kYellow},   {"orange", kOrange},     {"red", kRed},
-      {"blue", kBlue},     {"magenta", kMagenta}, {"cyan", {189}},         {"navy", {235, 9}},
-      {"teal", {180}},     {"brown", {27, 6}},    {"pink", {342, 8, 0.2}}, {"gold", {51, 5}},
-      {"steelblue", {207}}};
+      {"green", kGreen},    {"yellow", kYellow},   {"orange", kOrange},     {"red", kRed},
+      {"blue", kBlue},      {"magenta", kMagenta}, {"cyan", {189}},         {"navy", {235, 9}},
+      {"teal", {180}},      {"brown", {27, 6}},    {"pink", {342, 8, 0.2}}, {"gold", {51, 5}},
+      {"steelblue", {207}}, {"tan", {34, 6, 0.2}}};
   return table;
 }
 
