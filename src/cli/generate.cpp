@@ -24,7 +24,7 @@ struct GenerateRequest {
   int split = 6;
   GridOptions grid;
   LorenzParameters lorenz;
-  bool lorenz_given = false, n_given = false;
+  bool lorenz_given = false, n_given = false, velocity = false;
   std::string constant;               // nine numbers
   std::vector<std::string> periodic;  // axes
   std::vector<std::string> formats;   // of the suite
@@ -82,6 +82,21 @@ void prepare(GenerateRequest& request) {
     throw UsageError("--tensor-value is for constant only");
 }
 
+// The array `velocity`, if it is asked for.
+std::vector<PointValues> velocities(const GenerateRequest& request, const TensorField& field) {
+  if (!request.velocity) return {};
+  const GeneratorRow* const generator = generator_named(request.name);
+  if (generator->velocity == nullptr)
+    throw UsageError("--velocity: " + request.name + " is no gradient of a vector field");
+  PointValues all{"velocity", 3, {}};
+  for (const Point& x : field.mesh.points) {
+    const Point v =
+        request.name == "lorenz" ? lorenz_velocity(x, request.lorenz) : generator->velocity(x);
+    all.values.insert(all.values.end(), v.begin(), v.end());
+  }
+  return {std::move(all)};
+}
+
 /// The suite's fields are exact only on its own grids.
 ExitCode run_suite(const GenerateRequest& request) {
   SuiteRequest suite = {.directory = request.output, .formats = request.formats};
@@ -100,7 +115,7 @@ ExitCode run_generate(GenerateRequest& request) {
   prepare(request);
   TensorField field = generate(request);
   make_periodic(field, request.grid.n, parse_axes(request.periodic));
-  write_field(request.output, field);
+  write_field(request.output, field, velocities(request, field));
   fmt::print("{}: {} tets, {} vertices\n", request.output, field.mesh.tets.size(),
              field.mesh.points.size());
   return ExitCode::Certified;
@@ -125,6 +140,8 @@ void add_grid_options(CLI::App* command, GenerateRequest& request) {
       ->delimiter(',')
       ->type_name("A,B")
       ->default_str("vtu");
+  command->add_flag("--velocity", request.velocity,
+                    "Also the vector field whose gradient it is, as array 'velocity'");
   add_periodic_option(*command, request.periodic,
                       "The upper sides across these axes get the tensors of the lower ones");
   command->add_option("--split", request.split, "Tets per grid cell: 5 or 6")

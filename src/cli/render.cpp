@@ -16,7 +16,7 @@ namespace triplex::cli {
 namespace {
 
 struct RenderRequest {
-  std::string directory;
+  std::vector<std::string> directories;
   std::string picture;
   LookRequest look;
   FeatureRequest features;
@@ -60,16 +60,19 @@ bool is_nothing(const FeatureRequest& wanted) {
          wanted.magnitudes.empty() && wanted.isotropicities.empty() && !wanted.traceless;
 }
 
-ExitCode run_render(const RenderRequest& request) {
-  const auto report = report_of(request.directory);
+Subject subject_of(const RenderRequest& request, const std::string& directory) {
+  const auto report = report_of(directory);
   const FeatureRequest wanted = features_of(request, report);
   const RequestedFeatures requested =
       is_nothing(wanted) ? RequestedFeatures{.table = {}, .set = 0} : resolve(wanted);
-  RenderOptions options = resolve(request.look, requested.table);
-  options.table = requested.table;
-  options.features = requested.set;
-  options.domain = domain_of(report);
-  render_features(request.directory, request.picture, options);
+  return {directory, requested.table, requested.set, domain_of(report)};
+}
+
+ExitCode run_render(const RenderRequest& request) {
+  std::vector<Subject> subjects;
+  for (const std::string& directory : request.directories)
+    subjects.push_back(subject_of(request, directory));
+  render_features(subjects, request.picture, resolve(request.look, subjects));
   fmt::print("{}\n", request.picture);
   return ExitCode::Certified;
 }
@@ -80,7 +83,9 @@ void add_render(CLI::App& program, Action& action) {
   auto request = std::make_shared<RenderRequest>();
   CLI::App* const command = program.add_subcommand(
       "render", "Draw what extract wrote, in the colours of the literature. Needs an X display.");
-  command->add_option("DIR", request->directory, "Directory that extract wrote")->required();
+  command
+      ->add_option("DIR", request->directories, "Directories that extract wrote; panels for each")
+      ->required();
   command->add_option("-o,--output", request->picture, "Picture to write (.png)")
       ->required()
       ->type_name("PICTURE");

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "numbers.hpp"
@@ -38,28 +39,60 @@ Bounds parse_box(const std::string& text) {
 }
 
 // FILE, FILE:COLOUR or FILE:COLOUR:OPACITY; a file may have colons in its name.
-ExtraGeometry parse_extra(const std::string& text) {
-  if (std::filesystem::exists(text)) return {text, std::nullopt, 1};
+ExtraGeometry parse_file(const std::string& text) {
+  if (std::filesystem::exists(text)) return {text, std::nullopt};
   const auto cut = text.rfind(':');
-  if (cut == std::string::npos || cut == 0) return {text, std::nullopt, 1};
+  if (cut == std::string::npos || cut == 0) return {text, std::nullopt};
   const std::string head = text.substr(0, cut), tail = text.substr(cut + 1);
-  if (std::filesystem::exists(head)) return {head, parse_color("--with", tail), 1};
+  if (std::filesystem::exists(head)) return {head, parse_color("--with", tail)};
   const auto first = head.rfind(':');
-  if (first == std::string::npos || first == 0) return {text, std::nullopt, 1};
+  if (first == std::string::npos || first == 0) return {text, std::nullopt};
   return {head.substr(0, first), parse_color("--with", head.substr(first + 1)),
           parse_fraction("--with", tail)};
 }
 
-void parse_opacity(const std::string& text, const FeatureTable& table, RenderOptions& options) {
+// PANEL@ and what `parse_file` reads.
+ExtraGeometry parse_extra(const std::string& text) {
+  const auto at = text.find('@');
+  const bool numbered = at != std::string::npos && at > 0 && at < 3 &&
+                        text.find_first_not_of("0123456789") == at && text[0] != '0';
+  if (!numbered || std::filesystem::exists(text)) return parse_file(text);
+  ExtraGeometry extra = parse_file(text.substr(at + 1));
+  extra.panel = std::stoi(text.substr(0, at));
+  return extra;
+}
+
+void check_feature(std::string_view option, const std::string& name,
+                   const std::vector<Subject>& subjects) {
+  for (const Subject& subject : subjects)
+    if (subject.table.named(name)) return;
+  throw UsageError(fmt::format("{}: no feature is called '{}'", option, name));
+}
+
+void parse_opacity(const std::string& text, const std::vector<Subject>& subjects,
+                   RenderOptions& options) {
   const auto equals = text.find('=');
   if (equals == std::string::npos) {
     options.opacity = parse_fraction("--opacity", text);
     return;
   }
   const std::string name = text.substr(0, equals);
-  const auto feature = table.named(name);
-  if (!feature) throw UsageError("--opacity: no feature is called '" + name + "'");
-  options.opacity_of[*feature] = parse_fraction("--opacity", text.substr(equals + 1));
+  check_feature("--opacity", name, subjects);
+  options.opacity_of[name] = parse_fraction("--opacity", text.substr(equals + 1));
+}
+
+// NAME,NAME,... or none.
+std::vector<std::string> parse_panel(const std::string& text,
+                                     const std::vector<Subject>& subjects) {
+  std::vector<std::string> names;
+  if (text == "none") return names;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    names.push_back(text.substr(from, to - from));
+    check_feature("--panel", names.back(), subjects);
+    from = to + 1;
+  }
+  return names;
 }
 
 void add_arrangement(CLI::App& command, LookRequest& request) {
@@ -79,8 +112,13 @@ void add_arrangement(CLI::App& command, LookRequest& request) {
       ->check(CLI::Range(0.01, 1000.0))
       ->type_name("FACTOR")
       ->capture_default_str();
-  command.add_flag("--sheet", request.look.sheet,
-                   "Panels with all, degenerate, neutral and balanced features");
+  auto* const sheet = command.add_flag(
+      "--sheet", request.look.sheet, "Panels with all, degenerate, neutral and balanced features");
+  command.add_option("--panel", request.panels, "A panel with these features, or none; repeatable")
+      ->type_name("A,B,...")
+      ->expected(1)
+      ->take_all()
+      ->excludes(sheet);
   command.add_option("--columns", request.look.columns, "Panels side by side; 0: as fits")
       ->check(CLI::Range(0, 64))
       ->capture_default_str();
@@ -112,7 +150,7 @@ void add_style(CLI::App& command, LookRequest& request) {
                   "Also draw this .vtp, or the boundary of this .vtu; repeatable")
       ->expected(1)
       ->take_all()
-      ->type_name("FILE[:COLOUR[:OPACITY]]");
+      ->type_name("[PANEL@]FILE[:COLOUR[:OPACITY]]");
   command
       .add_option("--displace", request.look.displacement,
                   "Move the points of files given with --with by this point array")
@@ -132,7 +170,7 @@ void add_look_options(CLI::App& command, LookRequest& request) {
   add_style(command, request);
 }
 
-RenderOptions resolve(const LookRequest& request, const FeatureTable& table) {
+RenderOptions resolve(const LookRequest& request, const std::vector<Subject>& subjects) {
   RenderOptions options = request.look;
   const PictureSize size = parse_size(request.size);
   options.width = size.width;
@@ -143,7 +181,9 @@ RenderOptions resolve(const LookRequest& request, const FeatureTable& table) {
     const auto angles = parse_numbers("--view", request.view, 2);
     options.views = {view_of_angles(angles[0], angles[1])};
   }
-  for (const std::string& text : request.opacities) parse_opacity(text, table, options);
+  for (const std::string& text : request.opacities) parse_opacity(text, subjects, options);
+  for (const std::string& text : request.panels)
+    options.panels.push_back(parse_panel(text, subjects));
   if (!request.clip.empty()) options.clip = parse_box(request.clip);
   for (const std::string& text : request.extra) options.extra.push_back(parse_extra(text));
   options.background = parse_color("--background", request.background);

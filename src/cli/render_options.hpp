@@ -17,7 +17,8 @@ struct LookRequest {
   std::string view;                               ///< AZIMUTH,ELEVATION; empty: the presets
   std::vector<std::string> opacities;             ///< FRACTION or NAME=FRACTION
   std::string clip;
-  std::vector<std::string> extra;  ///< FILE, FILE:COLOUR or FILE:COLOUR:OPACITY
+  std::vector<std::string> panels;  ///< NAME,NAME,...
+  std::vector<std::string> extra;   ///< [PANEL@]FILE[:COLOUR[:OPACITY]]
   std::string background = "white", outline;
   RenderOptions look;  ///< what needs no reading
 };
@@ -26,8 +27,8 @@ struct LookRequest {
 /// parsing.
 void add_look_options(CLI::App& command, LookRequest& request);
 
-/// The options for the library; features, table and domain are left to the caller, except that
-/// names in --opacity are looked up in `table`. \throw UsageError naming option and value.
-RenderOptions resolve(const LookRequest& request, const FeatureTable& table);
+/// The options for the library. Names of features must be in the table of one of the subjects.
+/// \throw UsageError naming option and value.
+RenderOptions resolve(const LookRequest& request, const std::vector<Subject>& subjects);
 
 }  // namespace triplex::cli

@@ -79,6 +79,10 @@ void make_periodic(TensorField& field, int n, const PeriodicAxes& periodic) {
   }
 }
 
+Point lorenz_velocity(const Point& x, const LorenzParameters& f) {
+  return {f.sigma * (x[1] - x[0]), x[0] * (f.rho - x[2]) - x[1], x[0] * x[1] - f.beta * x[2]};
+}
+
 Tensor<double> lorenz_gradient(const Point& x, const LorenzParameters& f) {
   return {-f.sigma, f.sigma, 0, f.rho - x[2], -1, -x[0], x[1], x[0], -f.beta};
 }
@@ -86,6 +90,11 @@ Tensor<double> lorenz_gradient(const Point& x, const LorenzParameters& f) {
 TensorField generate_lorenz(const GridOptions& options, const LorenzParameters& parameters) {
   return sample(options, kLorenzBox,
                 [&](std::size_t, const Point& x) { return lorenz_gradient(x, parameters); });
+}
+
+Point abc_velocity(const Point& x, const AbcParameters& f) {
+  return {f.a * std::sin(x[2]) + f.c * std::cos(x[1]), f.b * std::sin(x[0]) + f.a * std::cos(x[2]),
+          f.c * std::sin(x[1]) + f.b * std::cos(x[0])};
 }
 
 Tensor<double> abc_gradient(const Point& x, const AbcParameters& f) {
@@ -195,11 +204,14 @@ TensorField generate_noise_on_tet(std::uint64_t seed) {
 std::span<const GeneratorRow> generator_table() {
   static constexpr std::array<GeneratorRow, 7> table{{
       {"lorenz", "gradient of the Lorenz system",
-       [](const GridOptions& options) { return generate_lorenz(options); }},
+       [](const GridOptions& options) { return generate_lorenz(options); },
+       [](const Point& x) { return lorenz_velocity(x); }},
       {"abc", "gradient of the Arnold-Beltrami-Childress flow",
-       [](const GridOptions& options) { return generate_abc(options); }},
+       [](const GridOptions& options) { return generate_abc(options); },
+       [](const Point& x) { return abc_velocity(x); }},
       {"rayleigh-benard", "velocity gradient of two Rayleigh-Benard convection cells",
-       [](const GridOptions& options) { return generate_rayleigh_benard(options); }},
+       [](const GridOptions& options) { return generate_rayleigh_benard(options); },
+       [](const Point& x) { return rayleigh_benard_velocity(x); }},
       {"random-linear", "random field that is linear in space", generate_random_linear},
       {"symmetric", "random symmetric field that is linear in space", generate_symmetric},
       {"constant", "the same tensor everywhere",

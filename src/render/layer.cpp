@@ -42,7 +42,7 @@ std::string title_of(const FeatureRow& row, vtkPolyData* mesh) {
   return title;
 }
 
-double opacity_of(Feature feature, const RenderOptions& options) {
+double opacity_of(const std::string& feature, const RenderOptions& options) {
   const auto found = options.opacity_of.find(feature);
   return found == options.opacity_of.end() ? options.opacity : found->second;
 }
@@ -57,25 +57,26 @@ std::vector<Feature> drawing_order(const FeatureTable& table) {
   return order;
 }
 
-std::vector<Part> read_parts(const std::filesystem::path& directory, const RenderOptions& options) {
+std::vector<Part> read_parts(const Subject& subject, const RenderOptions& options) {
   std::vector<Part> parts;
-  for (const Feature feature : drawing_order(options.table)) {
-    if (!contains(options.features, feature)) continue;
-    const FeatureRow& row = options.table.row(feature);
-    auto mesh = read_polydata(directory / (row.name + ".vtp"));
+  for (const Feature feature : drawing_order(subject.table)) {
+    if (!contains(subject.features, feature)) continue;
+    const FeatureRow& row = subject.table.row(feature);
+    auto mesh = read_polydata(subject.directory / (row.name + ".vtp"));
     Layer look = {.title = title_of(row, mesh), .color = row.color, .groups = bit(feature)};
-    look.opacity = opacity_of(feature, options);
+    look.opacity = opacity_of(row.name, options);
     parts.push_back({std::move(mesh), std::move(look), kCurve, kNode, true});
   }
-  const auto nodes = directory / "nodes.vtp";
-  if (options.nodes && (options.features & kDegenerate) != 0 && std::filesystem::exists(nodes)) {
+  const auto nodes = subject.directory / "nodes.vtp";
+  if (options.nodes && (subject.features & kDegenerate) != 0 && std::filesystem::exists(nodes)) {
     Layer look = {.title = "node", .color = kNodeColor};
-    look.groups = kDegenerate & options.features;
+    look.groups = kDegenerate & subject.features;
     parts.push_back({read_polydata(nodes), std::move(look), kCurve, kNode, true});
   }
   for (const ExtraGeometry& extra : options.extra) {
     auto mesh = read_extra(extra, options.displacement);
     Layer look = {.color = extra.color, .opacity = extra.opacity};
+    look.panel = extra.panel;
     const bool has_colors = mesh->GetPointData()->GetScalars() != nullptr ||
                             mesh->GetCellData()->GetScalars() != nullptr;
     if (!extra.color && !has_colors) look.color = kGrey;
@@ -84,13 +85,14 @@ std::vector<Part> read_parts(const std::filesystem::path& directory, const Rende
   return parts;
 }
 
-Bounds box_of(const std::vector<Part>& parts, const RenderOptions& options) {
+Bounds box_of(const std::vector<Part>& parts, const Subject& subject,
+              const RenderOptions& options) {
   if (options.clip) return *options.clip;
   vtkBoundingBox box;
   for (const Part& part : parts)
     if (part.mesh->GetNumberOfCells() > 0) box.AddBounds(part.mesh->GetBounds());
-  if (options.domain) {
-    const auto& [x, y, z] = *options.domain;
+  if (subject.domain) {
+    const auto& [x, y, z] = *subject.domain;
     box.AddBox(vtkBoundingBox(x[0], x[1], y[0], y[1], z[0], z[1]));
   }
   if (!box.IsValid()) return {{{0, 1}, {0, 1}, {0, 1}}};
@@ -133,9 +135,9 @@ std::vector<FeatureGroup> sheet_of_groups(FeatureSet wanted) {
   return groups;
 }
 
-Layers read_layers(const std::filesystem::path& directory, const RenderOptions& options) {
-  std::vector<Part> parts = read_parts(directory, options);
-  Layers result{.layers = {}, .box = box_of(parts, options)};
+Layers read_layers(const Subject& subject, const RenderOptions& options) {
+  std::vector<Part> parts = read_parts(subject, options);
+  Layers result{.layers = {}, .box = box_of(parts, subject, options)};
   double squared = 0;
   for (const auto& [low, high] : result.box) squared += (high - low) * (high - low);
   const double scale = options.thickness * std::sqrt(squared);

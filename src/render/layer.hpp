@@ -21,6 +21,7 @@ struct Layer {
   double opacity = 1;
   vtkSmartPointer<vtkPolyData> edges_of = {};  ///< a surface for silhouettes; none on tubes
   FeatureSet groups = ~FeatureSet{0};  ///< drawn in a panel that shows one of these features
+  int panel = 0;                       ///< the only one, counted from 1, that it is in; 0: any
 };
 
 /// What all panels show: the layers, and the box that they lie in.
@@ -31,6 +32,6 @@ struct Layers {
 
 /// Reads what is to be drawn, clips it and gives curves and points their bodies. \throw
 /// RenderError.
-Layers read_layers(const std::filesystem::path& directory, const RenderOptions& options);
+Layers read_layers(const Subject& subject, const RenderOptions& options);
 
 }  // namespace triplex

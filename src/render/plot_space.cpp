@@ -183,9 +183,10 @@ vtkSmartPointer<vtkRenderer> draw_cone(const SpaceDensity* density, const PanelS
   add_ball(renderer, top, 0.055, kBrown);
   add_ball(renderer, bottom, 0.055, kPink);
   const Color ink = ink_on(background);
-  add_label(renderer, "  isotropicity 1", top, Beside::Right, size.font, ink);
-  add_label(renderer, "  isotropicity -1", bottom, Beside::Right, size.font, ink);
   const View view = view_of_angles(-50, 18);
+  const Point beside = {-0.08 * view.from[1], 0.08 * view.from[0], 0};  // to the right, as seen
+  add_label(renderer, "isotropicity 1", {beside[0], beside[1], 1}, Beside::Right, size.font, ink);
+  add_label(renderer, "isotropicity -1", {beside[0], beside[1], -1}, Beside::Right, size.font, ink);
   for (std::size_t k = 0; k < 6; ++k) {
     const auto& [x, y] = special_modes()[k].hexagon;
     const bool right = view.from[0] * y - view.from[1] * x > 0;

@@ -3,6 +3,7 @@
 #include "triplex/render/render.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <vtkObject.h>
 
 #include <algorithm>
@@ -15,24 +16,44 @@ namespace triplex {
 namespace {
 
 struct Panel {
+  std::size_t subject;
   FeatureSet features;
   View view;
   std::string caption;
 };
 
-// Groups row by row, views column by column; only what differs between the panels is named.
-std::vector<Panel> panels_of(const RenderOptions& options) {
-  std::vector<FeatureGroup> groups = {{"", options.features}};
-  if (options.sheet) groups = sheet_of_groups(options.features);
+std::vector<FeatureGroup> groups_of(const Subject& subject, const RenderOptions& options) {
+  if (options.sheet) return sheet_of_groups(subject.features);
+  if (options.panels.empty()) return {{"", subject.features}};
+  std::vector<FeatureGroup> groups;
+  for (const std::vector<std::string>& names : options.panels) {
+    FeatureSet features = 0;
+    for (const std::string& name : names)
+      if (const auto feature = subject.table.named(name)) features |= bit(*feature);
+    groups.push_back({fmt::format("{}", fmt::join(names, ", ")), features & subject.features});
+  }
+  return groups;
+}
+
+// Only what differs between the panels is named.
+std::vector<Panel> panels_of(const std::vector<Subject>& subjects, const RenderOptions& options) {
   std::vector<Panel> panels;
-  for (const FeatureGroup& group : groups) {
-    for (const View& view : options.views) {
-      std::string name = groups.size() > 1 ? group.title : "";
-      if (options.views.size() > 1) name += (name.empty() ? "" : ", ") + view.name;
-      panels.push_back({group.features, view, std::move(name)});
+  for (std::size_t s = 0; s < subjects.size(); ++s) {
+    const std::vector<FeatureGroup> groups = groups_of(subjects[s], options);
+    for (const FeatureGroup& group : groups) {
+      for (const View& view : options.views) {
+        std::vector<std::string> names;
+        if (subjects.size() > 1) names.push_back(subjects[s].directory.filename().string());
+        if (groups.size() > 1) names.push_back(group.title);
+        if (options.views.size() > 1) names.push_back(view.name);
+        panels.push_back({s, group.features, view, fmt::format("{}", fmt::join(names, ", "))});
+      }
     }
   }
-  const std::vector<std::string>& captions = options.captions;
+  return panels;
+}
+
+void set_captions(std::vector<Panel>& panels, const std::vector<std::string>& captions) {
   if (captions.size() > panels.size()) {
     throw RenderError(fmt::format("{} captions for {} panels: give at most one for each",
                                   captions.size(), panels.size()));
@@ -43,38 +64,49 @@ std::vector<Panel> panels_of(const RenderOptions& options) {
       panels[k].caption =
           fmt::format("({}) {}", static_cast<char>('a' + k % 26), panels[k].caption);
   }
-  return panels;
 }
 
 // What is drawn in any panel, each title once.
-std::vector<LegendEntry> legend_of(const Layers& layers) {
+std::vector<LegendEntry> legend_of(const std::vector<Layers>& drawn,
+                                   const std::vector<Panel>& panels) {
   std::vector<LegendEntry> entries;
-  for (const Layer& layer : layers.layers) {
-    const bool known = std::any_of(entries.begin(), entries.end(),
-                                   [&](const LegendEntry& e) { return e.title == layer.title; });
-    if (!layer.title.empty() && layer.color && !known)
-      entries.push_back({layer.title, *layer.color});
+  for (std::size_t s = 0; s < drawn.size(); ++s) {
+    FeatureSet shown = 0;
+    for (const Panel& panel : panels)
+      if (panel.subject == s) shown |= panel.features;
+    for (const Layer& layer : drawn[s].layers) {
+      const bool known = std::any_of(entries.begin(), entries.end(),
+                                     [&](const LegendEntry& e) { return e.title == layer.title; });
+      if ((layer.groups & shown) != 0 && !layer.title.empty() && layer.color && !known)
+        entries.push_back({layer.title, *layer.color});
+    }
   }
   return entries;
 }
 
 }  // namespace
 
-void render_features(const std::filesystem::path& directory, const std::filesystem::path& picture,
+void render_features(const std::vector<Subject>& subjects, const std::filesystem::path& picture,
                      const RenderOptions& options) {
   vtkObject::GlobalWarningDisplayOff();  // what goes wrong is thrown
-  const Layers layers = read_layers(directory, options);
-  const std::vector<Panel> panels = panels_of(options);
+  std::vector<Layers> layers;
+  for (const Subject& subject : subjects) layers.push_back(read_layers(subject, options));
+  std::vector<Panel> panels = panels_of(subjects, options);
+  set_captions(panels, options.captions);
   PageOptions page = {.width = options.width, .height = options.height};
   page.columns = options.columns;
   page.background = options.background;
-  if (panels.size() > 1 || !panels[0].caption.empty())
+  if (panels.size() > 1 || (panels.size() == 1 && !panels[0].caption.empty()))
     for (const Panel& panel : panels) page.captions.push_back(panel.caption);
-  if (options.legend) page.legend = legend_of(layers);
+  if (options.legend) page.legend = legend_of(layers, panels);
   draw_page(picture, static_cast<int>(panels.size()), page, [&](int k, const PanelSize& size) {
     const Panel& panel = panels[static_cast<std::size_t>(k)];
-    return make_scene(
-        layers, {panel.features, panel.view, double(size.width) / size.height, size.line}, options);
+    const SceneOptions scene = {.features = panel.features,
+                                .panel = k + 1,
+                                .view = panel.view,
+                                .aspect = double(size.width) / size.height,
+                                .line = size.line};
+    return make_scene(layers[panel.subject], scene, options);
   });
 }
 

@@ -39,6 +39,12 @@ void add_layer(vtkRenderer* renderer, const Layer& layer) {
   renderer->AddActor(actor);
 }
 
+bool is_shown(const Layer& layer, const SceneOptions& scene) {
+  const bool belongs_to_none = ~layer.groups == 0;
+  return (belongs_to_none || (layer.groups & scene.features) != 0) &&
+         (layer.panel == 0 || layer.panel == scene.panel);
+}
+
 void add_silhouette(vtkRenderer* renderer, const Layer& layer, double line) {
   vtkNew<vtkPolyDataSilhouette> edges;
   edges->SetInputData(layer.edges_of);
@@ -92,7 +98,7 @@ vtkSmartPointer<vtkRenderer> make_scene(const Layers& layers, const SceneOptions
   place_camera(renderer, layers.box, scene.view, scene.aspect, options.zoom);
   bool transparent = false;
   for (const Layer& layer : layers.layers) {
-    if ((layer.groups & scene.features) == 0 && ~layer.groups != 0) continue;
+    if (!is_shown(layer, scene)) continue;
     add_layer(renderer, layer);
     transparent |= layer.opacity < 1;
     if (options.silhouettes && layer.edges_of) add_silhouette(renderer, layer, scene.line);

@@ -14,6 +14,7 @@ namespace triplex {
 /// lit and seen from `view`. `aspect` is width by height of the panel, `line` a width in pixels.
 struct SceneOptions {
   FeatureSet features;
+  int panel;  ///< counted from 1
   View view;
   double aspect;
   double line;

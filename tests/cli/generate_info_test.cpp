@@ -123,5 +123,18 @@ TEST(Info, NeedsANameWhereThereAreSeveralArrays) {
   EXPECT_THAT(outcome.err, HasSubstr("--tensor"));
 }
 
+TEST(Generate, WritesTheVelocityWhenAsked) {
+  const TemporaryDirectory directory;
+  const std::string with = (directory / "with.vtu").string();
+  ASSERT_EQ(run({"generate", "lorenz", "-n", "4", "--velocity", "-o", with}).code, 0);
+  const Outcome tensor = run({"info", with, "--json"});
+  EXPECT_EQ(tensor.code, 0) << tensor.err;
+  const Outcome gradient = run({"info", with, "--gradient-of", "velocity", "--json"});
+  EXPECT_EQ(gradient.code, 0) << gradient.err;
+  const Outcome none = run({"generate", "noise", "-n", "4", "--velocity", "-o", with});
+  EXPECT_EQ(none.code, 1);
+  EXPECT_NE(none.err.find("noise"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace triplex::test

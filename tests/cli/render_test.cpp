@@ -130,6 +130,29 @@ TEST_F(Render, ViewsAndSheetsGivePanels) {
   EXPECT_EQ(sheet.count(kOrange, 0.75, 1), 0);
 }
 
+TEST_F(Render, PanelsHoldTheFeaturesAndFilesAskedFor) {
+  const std::string curve = meshes() + "/triple-curve.vtp:#00ffff";
+  const Picture panels =
+      draw({"--panel", "neutral-real,triple-curve", "--panel", "degenerate-linear", "--columns",
+            "2", "--no-legend", "--with", "2@" + curve});
+  EXPECT_GT(panels.count(kOrange, 0, 0.5), 500);
+  EXPECT_EQ(panels.count(kGreen, 0, 0.5) + panels.count(kOrange, 0.5, 1), 0);
+  EXPECT_GT(panels.count(kGreen, 0.5, 1), 500);
+  const HasHue cyan{180, 5, 0.8};
+  EXPECT_GT(panels.count(cyan, 0.5, 1), 3);
+  EXPECT_EQ(panels.count(cyan, 0, 0.5), 0);
+}
+
+TEST_F(Render, SeveralDirectoriesGivePanels) {
+  const std::string out = path("balanced");
+  ASSERT_EQ(run({"extract", path("lorenz.vtu"), "-o", out, "--features", "balanced-linear"}).code,
+            0);
+  const Picture both = draw({out, "--columns", "2", "--no-legend"});
+  EXPECT_GT(both.count(kGreen, 0, 0.5), 100);
+  EXPECT_EQ(both.count(kGreen, 0.5, 1), 0);
+  EXPECT_GT(both.count(kBlue, 0.5, 1), 500);
+}
+
 TEST_F(Render, ViewZoomBackgroundSilhouettesCaption) {
   const std::vector<std::string> plain = {"--features", "balanced-linear", "--no-legend",
                                           "--outline", "none"};
@@ -192,6 +215,7 @@ TEST_F(Render, SaysWhatIsWrongWithAnOption) {
   EXPECT_THAT(refused({"--clip", "1,0,0,1,0,1"}).err, HasSubstr("XMIN"));
   EXPECT_THAT(refused({"--opacity", "2"}).err, HasSubstr("between 0 and 1"));
   EXPECT_THAT(refused({"--opacity", "front=1"}).err, HasSubstr("'front'"));
+  EXPECT_THAT(refused({"--panel", "neutral-real,front"}).err, HasSubstr("'front'"));
   EXPECT_THAT(refused({"--background", "nocolour"}).err, HasSubstr("'nocolour'"));
   EXPECT_THAT(refused({"--with", path("absent.vtp")}).err, HasSubstr("absent.vtp"));
   EXPECT_THAT(refused({"--with", meshes() + "/report.json"}).err, HasSubstr("report.json"));

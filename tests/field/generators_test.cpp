@@ -165,6 +165,27 @@ TEST(Generators, RayleighBenardGradientIsThatOfTheVelocity) {
 }
 
 /// Planes of symmetry at multiples of a quarter period: what does not couple there is exactly zero.
+TEST(Generators, GradientsAreThoseOfTheirVelocities) {
+  for (const GeneratorRow& row : generator_table()) {
+    if (row.velocity == nullptr) continue;
+    SCOPED_TRACE(row.name);
+    const TensorField field = row.generate({.n = 3});
+    for (std::size_t k = 0; k < field.mesh.points.size(); ++k) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        Point ahead = field.mesh.points[k], behind = ahead;
+        const double step = 1e-5;
+        ahead[j] += step;
+        behind[j] -= step;
+        const Point a = row.velocity(ahead), b = row.velocity(behind);
+        for (std::size_t i = 0; i < 3; ++i)
+          EXPECT_NEAR((a[i] - b[i]) / (2 * step), field.tensors[k][3 * i + j], 1e-7);
+      }
+    }
+  }
+  EXPECT_NE(generator_named("abc")->velocity, nullptr);
+  EXPECT_EQ(generator_named("noise")->velocity, nullptr);
+}
+
 TEST(Generators, PlanesOfSymmetryAreExact) {
   for (int k = -8; k <= 8; ++k) {
     const double at = k / 2.0;

@@ -15,6 +15,7 @@ namespace triplex {
 struct LorenzParameters {
   double sigma = 10, rho = 28, beta = 8.0 / 3.0;
 };
+Point lorenz_velocity(const Point& x, const LorenzParameters& parameters = {});
 Tensor<double> lorenz_gradient(const Point& x, const LorenzParameters& parameters = {});
 /// Its gradient is linear in space, so the closed forms of p and q hold on any mesh up to rounding.
 /// Default box: [-30,30] x [-30,30] x [0,60], which holds both branches of the triple degenerate
@@ -27,6 +28,7 @@ struct AbcParameters {
   double b = 0.816496580927726;   ///< sqrt(2/3)
   double c = 0.5773502691896257;  ///< sqrt(1/3)
 };
+Point abc_velocity(const Point& x, const AbcParameters& parameters = {});
 Tensor<double> abc_gradient(const Point& x, const AbcParameters& parameters = {});
 /// Default box: [0, 2 pi]^3. Along each axis on which the box is one period long, the tensors on
 /// the upper side are copies, bit for bit, of those on the lower side.
@@ -83,6 +85,8 @@ struct GeneratorRow {
   std::string_view name;   ///< on the command line
   std::string_view title;  ///< for people
   TensorField (*generate)(const GridOptions& options);
+  /// The vector field whose gradient it is, with default parameters; null if there is none.
+  Point (*velocity)(const Point& x) = nullptr;
 };
 
 /// All generators. Their array is called "tensor". All throw `BadInput` as `grid_mesh` does; equal
