@@ -18,6 +18,12 @@ namespace {
 /// that did not (docs/embedding.md).
 constexpr double kReach = 0x1p-46;
 
+/// Of the largest coordinate, edges that make others count. A choice: a hundredth of one rounding
+/// of it. Such edges are there where a coordinate is zero and points are equal or all but that;
+/// where there are none, meshes as fine as rounding may still be embedded, and are left as they
+/// are.
+constexpr double kCore = 0x1p-60;
+
 double largest_coordinate(const TensorField& field) {
   double largest = 0;
   for (const Point& x : field.mesh.points)
@@ -50,9 +56,10 @@ std::vector<std::uint32_t> FeatureMeshBuilder::ends_of_short_edges(const std::ve
 }
 
 ContractionStatistics FeatureMeshBuilder::contract(std::vector<Cells>& parts) const {
-  const double reach = kReach * largest_coordinate(input_);
+  const double largest = largest_coordinate(input_);
+  const double reach = kReach * largest, core = kCore * largest;
+  if (ends_of_short_edges(parts, core).empty()) return {};
   const std::vector<std::uint32_t> ends = ends_of_short_edges(parts, reach);
-  if (ends.empty()) return {};
 
   // The cells at these vertices, over their own vertices in order.
   const auto is_end = [&](const PatchVertex& v) {
@@ -85,7 +92,7 @@ ContractionStatistics FeatureMeshBuilder::contract(std::vector<Cells>& parts) co
   for (std::size_t c = 0; c < cells.size(); ++c)
     std::ranges::transform(cells[c]->vertices, complex.cells[c].vertices.begin(), local);
 
-  const Contraction contraction = contract_short_edges(complex, reach);
+  const Contraction contraction = contract_short_edges(complex, {reach, core});
   for (std::size_t c = 0; c < cells.size(); ++c)
     for (std::size_t i = 0; i < 3; ++i)
       cells[c]->vertices[i] = vertices[contraction.became[complex.cells[c].vertices[i]]];

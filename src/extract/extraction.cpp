@@ -195,8 +195,8 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
   report("mesh");
   result.table = options.table;
   result.requested = options.features;
-  // The sides of a periodic domain are to match point by point.
-  const bool contracted = options.contract && complex.copies.empty();
+  // The sides of a periodic domain are to match point by point, and so are domains and surfaces.
+  const bool contracted = options.contract && complex.copies.empty() && !options.domains;
   auto built = FeatureMeshBuilder(field, complex, crossings, spine_points, options.keep_tensors)
                    .build(active, options.features & ~result.curves, contracted);
   result.features = std::move(built.meshes);

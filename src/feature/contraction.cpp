@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "vertex_link.hpp"
 
@@ -25,11 +26,16 @@ bool has(const Cell& cell, std::uint32_t v) {
 
 class Contractor {
  public:
-  Contractor(const SharedComplex& complex, double reach)
-      : complex_(complex), reach_(reach), cells_(complex.cells), alive_(cells_.size(), true) {
+  Contractor(const SharedComplex& complex, const ContractionLengths& lengths)
+      : complex_(complex),
+        reach_(lengths.reach),
+        cells_(complex.cells),
+        alive_(cells_.size(), true) {
     result_.became.resize(complex.points.size());
     std::iota(result_.became.begin(), result_.became.end(), 0u);
     gather_stars();
+    spread_from_edges_up_to(lengths.core);
+    std::ranges::sort(order_);  // whatever the order of a hash table
   }
 
   /// Equal points first, so that what is nearest to nothing goes before anything moves.
@@ -66,8 +72,23 @@ class Contractor {
         if (const auto star = stars_.find(v[i]); star != stars_.end())
           star->second.cells.push_back(c);
     }
-    for (const auto& [v, star] : stars_) order_.push_back(v);
-    std::ranges::sort(order_);
+  }
+
+  /// Finds the vertices that may go.
+  void spread_from_edges_up_to(double core) {
+    std::unordered_set<std::uint32_t> found;
+    const auto take = [&](std::uint32_t v) {
+      if (found.insert(v).second) order_.push_back(v);
+    };
+    const auto for_each_near = [&](std::uint32_t v, double reach, const auto& act) {
+      for (const std::uint32_t c : stars_.at(v).cells)
+        for (const std::uint32_t a : cells_[c].vertices)
+          if (a != v && SharedComplex::is_short(complex_.points[v], complex_.points[a], reach))
+            act(a);
+    };
+    for (const auto& [v, star] : stars_)
+      for_each_near(v, core, [&, v = v](std::uint32_t) { take(v); });
+    for (std::size_t n = 0; n < order_.size(); ++n) for_each_near(order_[n], reach_, take);
   }
 
   bool pass(double reach) {
@@ -171,8 +192,8 @@ bool SharedComplex::is_short(const Point& a, const Point& b, double reach) {
   return distance(a, b) <= reach;
 }
 
-Contraction contract_short_edges(const SharedComplex& complex, double reach) {
-  return Contractor(complex, reach).run();
+Contraction contract_short_edges(const SharedComplex& complex, const ContractionLengths& lengths) {
+  return Contractor(complex, lengths).run();
 }
 
 }  // namespace triplex

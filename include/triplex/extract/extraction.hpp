@@ -75,8 +75,8 @@ struct ExtractionOptions {
   /// correspond.
   PeriodicAxes periodic{};
   /// Contract edges of the size of rounding in the meshes of surfaces and of the triple degenerate
-  /// curve, where that changes no topology; not in periodic domains. The cell that a triangle comes
-  /// from then holds it up to `ContractionStatistics::moved`.
+  /// curve, where that changes no topology; not in periodic domains, nor with `domains`. The cell
+  /// that a triangle comes from then holds it up to `ContractionStatistics::moved`.
   bool contract = true;
   /// Fill `FeatureMesh::tensors`.
   bool keep_tensors = false;

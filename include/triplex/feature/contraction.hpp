@@ -36,6 +36,13 @@ struct Contraction {
   double moved = 0;           ///< an upper bound of how far any of them is from what it became
 };
 
+/// What edges are contracted.
+struct ContractionLengths {
+  double reach = 0;  ///< edges up to this length are short, and no vertex goes further
+  double core = 0;   ///< short edges count only if they are connected, by short edges, to one of
+                     ///< this length or less
+};
+
 /// Contracts short edges, one end onto the other, as long as that changes no topology and no vertex
 /// ends further than `reach` from where it was. A cell then has the vertices that its own became;
 /// it vanishes if two of them are equal.
@@ -44,6 +51,6 @@ struct Contraction {
 /// Vertices are not moved: those that stay are where they were. The result depends on the arguments
 /// alone. All cells at vertices of short edges must be given; others may be left out.
 /// Source: proofs/contraction.md.
-Contraction contract_short_edges(const SharedComplex& complex, double reach);
+Contraction contract_short_edges(const SharedComplex& complex, const ContractionLengths& lengths);
 
 }  // namespace triplex
