@@ -131,9 +131,10 @@ struct Extraction {
 };
 
 /// The main job: the requested features of a field, with certified topology.
-/// Guarantee: where `certified` is 1, the mesh is homeomorphic, cell by cell, to the feature of the
-/// piecewise linear field perturbed by a fixed infinitesimal constant tensor (docs/guarantees.md).
-/// \pre the field passed `check_input`. \throw Interrupted; BadInput for periodic sides that do not
+/// Guarantee: where `certified` is 1, the mesh (before contraction, which changes no topology of
+/// the whole: proofs/contraction.md) is homeomorphic, cell by cell, to the feature of the piecewise
+/// linear field perturbed by a fixed infinitesimal constant tensor (docs/guarantees.md). \pre the
+/// field passed `check_input`. \throw Interrupted; BadInput for periodic sides that do not
 /// correspond.
 Extraction extract(const TensorField& field, const ExtractionOptions& options = {});
 
