@@ -63,6 +63,7 @@ Extraction extract_with_progress(const TensorField& field, const ExtractRequest&
     options.wish = wish_for_charts(field, options.table, *tolerance);
   }
   options.domains = request.domains;
+  options.contract = !request.keep_short_edges;
   options.periodic = parse_axes(request.periodic);
   options.max_bisections = request.effort.max_bisections;
   options.threads = request.effort.threads;
@@ -247,6 +248,9 @@ void add_extract(CLI::App& program, Action& action) {
       "of each tet, and compare");
   add_periodic_option(*command, request->periodic,
                       "Opposite sides across these axes are one; their tensors must be equal");
+  command->add_flag("--keep-short-edges", request->keep_short_edges,
+                    "Keep edges of the size of rounding, which are contracted otherwise where "
+                    "that changes no topology");
   command->add_flag("--check-embedding", request->check_embedding,
                     "Decide exactly whether triangles meet where they should not");
   command->add_flag("--complex", request->complex,

@@ -59,6 +59,7 @@ Json options_json(const ExtractRequest& request, const Extraction& extraction) {
                {"verify_quadrics", request.verify_quadrics},
                {"max_bisections", extraction.refinement.max_bisections},
                {"threads", request.effort.threads},
+               {"keep_short_edges", request.keep_short_edges},
                {"check_embedding", request.check_embedding},
                {"complex", request.complex},
                {"tensor", request.reading.tensor_name},
@@ -212,6 +213,9 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
   report["refinement"] = {{"rounds", refinement.rounds},
                           {"bisections", refinement.bisections},
                           {"tets", refinement.tets}};
+  report["contraction"] = {{"vertices", extraction.contraction.vertices},
+                           {"largest_shift", extraction.contraction.moved},
+                           {"reach", extraction.contraction.reach}};
   report["sign_stages"] = {
       {"filter", stages.filter}, {"interval", stages.interval}, {"exact", stages.exact}};
   if (extraction.curves != 0) report["symmetric"] = {{"shifted", extraction.curves_shifted}};

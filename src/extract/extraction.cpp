@@ -195,9 +195,12 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
   report("mesh");
   result.table = options.table;
   result.requested = options.features;
-  result.features =
-      FeatureMeshBuilder(field, complex, crossings, spine_points, options.keep_tensors)
-          .build(active, options.features & ~result.curves);
+  // The sides of a periodic domain are to match point by point, and so are domains and surfaces.
+  const bool contracted = options.contract && complex.copies.empty() && !options.domains;
+  auto built = FeatureMeshBuilder(field, complex, crossings, spine_points, options.keep_tensors)
+                   .build(active, options.features & ~result.curves, contracted);
+  result.features = std::move(built.meshes);
+  result.contraction = built.contraction;
   if (options.domains) result.domains = domain_cells(field, complex, crossings, spine_points);
 
   result.timing.extract_s = watch.lap();

@@ -29,8 +29,8 @@ FeatureMeshBuilder::FeatureMeshBuilder(const TensorField& input, const RefinedCo
       keep_tensors_(keep_tensors),
       joined_(complex, crossings) {}
 
-std::vector<FeatureMesh> FeatureMeshBuilder::build(const std::vector<std::uint32_t>& active_leaves,
-                                                   FeatureSet features) const {
+FeatureMeshBuilder::Built FeatureMeshBuilder::build(const std::vector<std::uint32_t>& active_leaves,
+                                                    FeatureSet features, bool contracted) const {
   std::vector<Cells> parts((active_leaves.size() + kChunk - 1) / kChunk);
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t n) {
     parts[n].resize(static_cast<std::size_t>(table_.size()));
@@ -39,12 +39,15 @@ std::vector<FeatureMesh> FeatureMeshBuilder::build(const std::vector<std::uint32
     for (std::size_t i = n * kChunk; i < end; ++i)
       add_leaf(complex_.leaves[active_leaves[i]], features, patches, parts[n]);
   });
-  std::vector<FeatureMesh> meshes(static_cast<std::size_t>(table_.size()));
+  Built built;
+  if (contracted) built.contraction = contract(parts);
+  std::vector<FeatureMesh>& meshes = built.meshes;
+  meshes.resize(static_cast<std::size_t>(table_.size()));
   tbb::parallel_for(std::size_t{0}, meshes.size(), [&](std::size_t n) {
     const auto feature = static_cast<Feature>(n);
     if (contains(features, feature)) meshes[n] = assemble(feature, parts);
   });
-  return meshes;
+  return built;
 }
 
 void FeatureMeshBuilder::add_leaf(const Leaf& leaf, FeatureSet features, CellPatches& patches,

@@ -19,9 +19,13 @@ class FeatureMeshBuilder {
                      const EdgeCrossings& crossings, const FaceSpinePoints& spine_points,
                      bool keep_tensors);
 
-  /// One mesh per row of the table.
-  std::vector<FeatureMesh> build(const std::vector<std::uint32_t>& active_leaves,
-                                 FeatureSet features) const;
+  struct Built {
+    std::vector<FeatureMesh> meshes;  ///< one per row of the table
+    ContractionStatistics contraction;
+  };
+  /// `contracted`: without edges of the size of rounding, where that changes no topology.
+  Built build(const std::vector<std::uint32_t>& active_leaves, FeatureSet features,
+              bool contracted) const;
 
  private:
   struct Cell {  // a triangle or, with two vertices, a segment
@@ -33,6 +37,16 @@ class FeatureMeshBuilder {
 
   void add_leaf(const Leaf& leaf, FeatureSet features, CellPatches& patches, Cells& cells) const;
   void add_fan(const PatchLoop& loop, const Leaf& leaf, std::vector<Cell>& out) const;
+  /// Vertices over all features: those on edges, then those on faces.
+  std::uint32_t common_number(const PatchVertex& v) const {
+    return v.on_spine ? static_cast<std::uint32_t>(crossings_.crossings().size()) + v.number
+                      : v.number;
+  }
+  std::vector<std::uint32_t> ends_of_short_edges(const std::vector<Cells>& parts,
+                                                 double reach) const;
+  /// Source: proofs/contraction.md.
+  ContractionStatistics contract(std::vector<Cells>& parts) const;
+  void drop_collapsed(std::vector<Cells>& parts) const;
   FeatureMesh assemble(Feature feature, const std::vector<Cells>& parts) const;
   Point position(const PatchVertex& v) const;
   void add_vertex(Feature feature, const PatchVertex& v, FeatureMesh& mesh) const;

@@ -45,6 +45,14 @@ struct RefinementStatistics {
   std::uint32_t max_bisections = 0;  ///< that one tet of the input may ask for
 };
 
+/// Edges of the size of rounding that were contracted: how many vertices became others, an upper
+/// bound of how far any of them is from what it became, and how far it might have been; in units of
+/// length. Source: proofs/contraction.md.
+struct ContractionStatistics {
+  std::uint64_t vertices = 0;
+  double moved = 0, reach = 0;
+};
+
 /// Seconds of wall time: refinement with certification, the search for nodes, the degenerate curves
 /// of symmetric tensors, and extraction.
 struct ExtractionTiming {
@@ -66,6 +74,10 @@ struct ExtractionOptions {
   /// `FeatureMesh::identified` says which points are one. \throw BadInput if they do not
   /// correspond.
   PeriodicAxes periodic{};
+  /// Contract edges of the size of rounding in the meshes of surfaces and of the triple degenerate
+  /// curve, where that changes no topology; not in periodic domains, nor with `domains`. The cell
+  /// that a triangle comes from then holds it up to `ContractionStatistics::moved`.
+  bool contract = true;
   /// Fill `FeatureMesh::tensors`.
   bool keep_tensors = false;
   /// Fill `Extraction::patches`.
@@ -105,6 +117,7 @@ struct Extraction {
   std::vector<NodesUndecided> nodes_undecided;
   CertificateCounts certificates;
   RefinementStatistics refinement;
+  ContractionStatistics contraction;
   SignStages sign_stages;
   std::vector<UnresolvedTet> unresolved;  ///< sorted by source cell
   OpenCells open_cells;                   ///< where `unresolved` is
@@ -118,9 +131,10 @@ struct Extraction {
 };
 
 /// The main job: the requested features of a field, with certified topology.
-/// Guarantee: where `certified` is 1, the mesh is homeomorphic, cell by cell, to the feature of the
-/// piecewise linear field perturbed by a fixed infinitesimal constant tensor (docs/guarantees.md).
-/// \pre the field passed `check_input`. \throw Interrupted; BadInput for periodic sides that do not
+/// Guarantee: where `certified` is 1, the mesh (before contraction, which changes no topology of
+/// the whole: proofs/contraction.md) is homeomorphic, cell by cell, to the feature of the piecewise
+/// linear field perturbed by a fixed infinitesimal constant tensor (docs/guarantees.md). \pre the
+/// field passed `check_input`. \throw Interrupted; BadInput for periodic sides that do not
 /// correspond.
 Extraction extract(const TensorField& field, const ExtractionOptions& options = {});
 
