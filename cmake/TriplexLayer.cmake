@@ -39,11 +39,15 @@ endfunction()
 
 # triplex_test(NAME SOURCE LIBRARIES... [LABELS ...])
 # One GoogleTest executable per test file; its cases are registered with ctest. At most one label:
-# `slow` (left out under sanitizers) or `install`.
+# `slow` or `install`; those are left out under sanitizers.
 function(triplex_test name source)
   cmake_parse_arguments(TEST "" "" "LIBRARIES;LABELS" ${ARGN})
   add_executable(${name} ${source})
   target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} triplex_warnings GTest::gtest_main)
+  if(TRIPLEX_SANITIZE AND TEST_LABELS)  # not run, so not built
+    set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+    return()
+  endif()
   set(properties TIMEOUT 1500)
   if(TEST_LABELS)
     list(APPEND properties LABELS ${TEST_LABELS})
