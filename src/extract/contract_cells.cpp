@@ -92,7 +92,7 @@ ContractionStatistics FeatureMeshBuilder::contract(std::vector<Cells>& parts) co
   for (std::size_t c = 0; c < cells.size(); ++c)
     std::ranges::transform(cells[c]->vertices, complex.cells[c].vertices.begin(), local);
 
-  const Contraction contraction = contract_short_edges(complex, {reach, core});
+  const Contraction contraction = contract_short_edges(complex, {reach, core, true});
   for (std::size_t c = 0; c < cells.size(); ++c)
     for (std::size_t i = 0; i < 3; ++i)
       cells[c]->vertices[i] = vertices[contraction.became[complex.cells[c].vertices[i]]];

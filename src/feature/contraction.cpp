@@ -29,6 +29,7 @@ class Contractor {
   Contractor(const SharedComplex& complex, const ContractionLengths& lengths)
       : complex_(complex),
         reach_(lengths.reach),
+        keep_border_(lengths.keep_border),
         cells_(complex.cells),
         alive_(cells_.size(), true) {
     result_.became.resize(complex.points.size());
@@ -124,6 +125,8 @@ class Contractor {
     const VertexLink link = link_of(v, cells);
     if (link.shape == VertexLink::Shape::Other) return false;
     for (const auto& [length, a] : targets) {
+      const bool on_border = link.shape == VertexLink::Shape::Book && link.arcs == 1;
+      if (keep_border_ && on_border && length > 0) continue;
       if (!keeps_topology(v, a, link, cells)) continue;
       contract(v, a, length);
       return true;
@@ -177,6 +180,7 @@ class Contractor {
 
   const SharedComplex& complex_;
   double reach_;
+  bool keep_border_;
   std::vector<Cell> cells_;
   std::vector<bool> alive_;
   std::unordered_map<std::uint32_t, Star> stars_;  // of the ends of short edges

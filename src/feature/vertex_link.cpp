@@ -109,6 +109,7 @@ VertexLink link_of(std::uint32_t v, std::span<const SharedComplex::Cell> star) {
     const std::size_t edges = walker.walk(a, half.to, last);
     if (last != c || edges < 2) return link;
     cells += edges;
+    ++link.arcs;
   }
   if (segments.size() > 1 || segments != segments_at(c)) return link;
   if (cells + 2 * segments.size() != star.size()) return link;

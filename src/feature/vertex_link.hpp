@@ -20,6 +20,7 @@ struct VertexLink {
   };
   Shape shape = Shape::Other;
   std::array<std::uint32_t, 2> ends{};      ///< of the arcs of a book
+  std::size_t arcs = 0;                     ///< of a book; 1 at the border of one surface
   std::vector<std::uint32_t> neighbours{};  ///< ascending
 };
 

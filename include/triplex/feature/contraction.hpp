@@ -41,6 +41,7 @@ struct ContractionLengths {
   double reach = 0;  ///< edges up to this length are short, and no vertex goes further
   double core = 0;   ///< short edges count only if they are connected, by short edges, to one of
                      ///< this length or less
+  bool keep_border = false;  ///< vertices on the border of one surface go to equal points only
 };
 
 /// Contracts short edges, one end onto the other, as long as that changes no topology and no vertex
