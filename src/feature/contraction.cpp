@@ -125,13 +125,23 @@ class Contractor {
     const VertexLink link = link_of(v, cells);
     if (link.shape == VertexLink::Shape::Other) return false;
     for (const auto& [length, a] : targets) {
-      const bool on_border = link.shape == VertexLink::Shape::Book && link.arcs == 1;
-      if (keep_border_ && on_border && length > 0) continue;
+      if (keep_border_ && length > 0 && bends_border(v, a, link)) continue;
       if (!keeps_topology(v, a, link, cells)) continue;
       contract(v, a, length);
       return true;
     }
     return false;
+  }
+
+  /// The border of one surface runs through v, and not within one plane x, y or z = const.
+  bool bends_border(std::uint32_t v, std::uint32_t a, const VertexLink& link) const {
+    if (link.shape != VertexLink::Shape::Book || link.arcs != 1) return false;
+    const Point& x = complex_.points[v];
+    const Point& y = complex_.points[a];
+    const Point& z = complex_.points[link.ends[link.ends[0] == a ? 1 : 0]];
+    for (std::size_t k = 0; k < 3; ++k)
+      if (x[k] == y[k] && x[k] == z[k]) return false;
+    return true;
   }
 
   /// No edge and no triangle that the contraction makes is there already.

@@ -262,5 +262,35 @@ TEST(Contraction, OnlyWhatIsConnectedToTheCore) {
   EXPECT_EQ(contraction.became[6], 6u);
 }
 
+/// A grid in the unit square, with the border on x or y = 0 or 1: contracted with its border kept,
+/// it still fills that square, though with few triangles.
+TEST(Contraction, KeepsBordersInTheirPlanes) {
+  constexpr std::uint32_t kSide = 8;
+  SharedComplex complex;
+  for (std::uint32_t i = 0; i <= kSide; ++i)
+    for (std::uint32_t j = 0; j <= kSide; ++j)
+      complex.points.push_back({i / double{kSide}, j / double{kSide}, 0.1 * i * j});
+  complex.fixed.assign(complex.points.size(), 0);
+  add_grid(kSide, false, kPage, complex);
+  for (const bool keep : {false, true}) {
+    const Contraction contraction = contract_short_edges(complex, {10, 10, keep});
+    const Left left = left_of(complex, contraction, kPage);
+    const SurfaceTopology t = surface_topology(left.triangles, complex.points.size());
+    EXPECT_EQ(t.euler, 1);
+    EXPECT_EQ(t.boundary_loops, 1u);
+    double area = 0;  // of the projection along z
+    for (const auto& [a, b, c] : left.triangles) {
+      const Point &x = complex.points[a], &y = complex.points[b], &z = complex.points[c];
+      area += ((y[0] - x[0]) * (z[1] - x[1]) - (z[0] - x[0]) * (y[1] - x[1])) / 2;
+    }
+    if (keep) {
+      EXPECT_NEAR(area, 1, 1e-12);
+      EXPECT_LT(left.triangles.size(), 20u);
+    } else {
+      EXPECT_EQ(left.triangles.size(), 1u);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace triplex

@@ -156,12 +156,12 @@ TEST(CalculiX, MalformedFilesAreRefusedWithTheLine) {
 /// One element at unit coordinates, displaced by (0, x, 0), with STRESS.
 std::string element_frd(int type, const std::vector<Point>& nodes) {
   const auto number = [](double x) {
-    std::array<char, 16> text;
+    std::array<char, 32> text;
     std::snprintf(text.data(), text.size(), "%12.5E", x);
     return std::string(text.data());
   };
   const auto id = [](std::size_t i) {
-    std::array<char, 16> text;
+    std::array<char, 32> text;
     std::snprintf(text.data(), text.size(), "%10zu", i);
     return std::string(text.data());
   };

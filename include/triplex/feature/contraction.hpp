@@ -41,7 +41,9 @@ struct ContractionLengths {
   double reach = 0;  ///< edges up to this length are short, and no vertex goes further
   double core = 0;   ///< short edges count only if they are connected, by short edges, to one of
                      ///< this length or less
-  bool keep_border = false;  ///< vertices on the border of one surface go to equal points only
+  /// Vertices on the border of one surface go to equal points only, or where the border runs within
+  /// a plane x, y or z = const before and after.
+  bool keep_border = false;
 };
 
 /// Contracts short edges, one end onto the other, as long as that changes no topology and no vertex
