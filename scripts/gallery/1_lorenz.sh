@@ -8,7 +8,7 @@ echo "-13.76 -19.58 27" |
   awk -v flow=lorenz -v step=0.01 -v steps=4500 -f "$root/scripts/gallery/streamline.awk" >attractor.vtp
 printf '8.485281374 8.485281374 27\n-8.485281374 -8.485281374 27\n' |
   awk -f "$root/scripts/gallery/points.awk" >critical.vtp
-draw lorenz lorenz --sheet --columns 4 --size 1600x510 --view -60,18 --opacity 0.7 --silhouettes \
+draw lorenz lorenz --sheet --columns 4 --size 1400x450 --view -60,18 --opacity 0.7 --silhouettes \
   --with 1@attractor.vtp:#606060 --with critical.vtp:gold
 
 "$triplex" generate lorenz -n 10 --box -3 3 -3 3 26 32 -o lorenz_node.vtu

@@ -3,4 +3,4 @@
 #
 # The open channel.
 extract channel "$root/data/channel.vtu" --tensor tensor
-draw channel channel --sheet --columns 2 --size 800x520 --view -70,30 --no-nodes
+draw channel channel --sheet --columns 2 --size 700x450 --view -70,30 --no-nodes

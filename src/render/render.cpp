@@ -66,6 +66,18 @@ void set_captions(std::vector<Panel>& panels, const std::vector<std::string>& ca
   }
 }
 
+// Without the further geometry that no panel of the subject shows, which must not widen its box.
+RenderOptions options_of(std::size_t subject, const std::vector<Panel>& panels,
+                         const RenderOptions& options) {
+  RenderOptions own = options;
+  std::erase_if(own.extra, [&](const ExtraGeometry& extra) {
+    if (extra.panel == 0) return false;
+    const auto k = static_cast<std::size_t>(extra.panel - 1);
+    return k >= panels.size() || panels[k].subject != subject;
+  });
+  return own;
+}
+
 // What is drawn in any panel, each title once.
 std::vector<LegendEntry> legend_of(const std::vector<Layers>& drawn,
                                    const std::vector<Panel>& panels) {
@@ -89,10 +101,11 @@ std::vector<LegendEntry> legend_of(const std::vector<Layers>& drawn,
 void render_features(const std::vector<Subject>& subjects, const std::filesystem::path& picture,
                      const RenderOptions& options) {
   vtkObject::GlobalWarningDisplayOff();  // what goes wrong is thrown
-  std::vector<Layers> layers;
-  for (const Subject& subject : subjects) layers.push_back(read_layers(subject, options));
   std::vector<Panel> panels = panels_of(subjects, options);
   set_captions(panels, options.captions);
+  std::vector<Layers> layers;
+  for (std::size_t s = 0; s < subjects.size(); ++s)
+    layers.push_back(read_layers(subjects[s], options_of(s, panels, options)));
   PageOptions page = {.width = options.width, .height = options.height};
   page.columns = options.columns;
   page.background = options.background;

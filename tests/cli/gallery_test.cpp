@@ -24,7 +24,7 @@ const std::map<std::string, HasHue>& hues() {
       {"green", kGreen},    {"yellow", kYellow},   {"orange", kOrange},     {"red", kRed},
       {"blue", kBlue},      {"magenta", kMagenta}, {"cyan", {189}},         {"navy", {235, 9}},
       {"teal", {180}},      {"brown", {27, 6}},    {"pink", {342, 8, 0.2}}, {"gold", {51, 5}},
-      {"steelblue", {207}}, {"tan", {34, 6, 0.2}}};
+      {"steelblue", {207}}, {"tan", {34, 6, 0.2}}, {"leaf", {112, 14}},     {"goldenrod", {43, 4}}};
   return table;
 }
 

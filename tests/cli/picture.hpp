@@ -23,14 +23,16 @@ class Picture {
   explicit Picture(const std::filesystem::path& file) {
     reader_->SetFileName(file.c_str());
     reader_->Update();
-    reader_->GetOutput()->GetDimensions(size_.data());
+    vtkImageData* const image = reader_->GetOutput();
+    image->GetDimensions(size_.data());
+    components_ = image->GetNumberOfScalarComponents();
+    pixels_ = static_cast<const unsigned char*>(image->GetScalarPointer());
   }
   int width() const { return size_[0]; }
   int height() const { return size_[1]; }
   /// From the lower left.
   Rgb at(int x, int y) const {
-    const auto* const p =
-        static_cast<const unsigned char*>(reader_->GetOutput()->GetScalarPointer(x, y, 0));
+    const auto* const p = pixels_ + static_cast<std::ptrdiff_t>(y * width() + x) * components_;
     return {p[0], p[1], p[2]};
   }
   /// Pixels of the part between the given fractions of the width that satisfy a predicate.
@@ -53,6 +55,8 @@ class Picture {
  private:
   vtkNew<vtkPNGReader> reader_;
   std::array<int, 3> size_{};
+  int components_ = 0;
+  const unsigned char* pixels_ = nullptr;
 };
 
 /// Whether a pixel has the hue of a feature, in degrees: lit surfaces keep it, whatever their
