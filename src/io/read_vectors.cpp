@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triplex/io/read_vectors.hpp"
 
+#include <fmt/format.h>
+#include <vtkPointData.h>
+
 #include <utility>
 
 #include "vtk_grid.hpp"
@@ -9,9 +12,18 @@
 namespace triplex {
 namespace {
 
+void check_components(vtkUnstructuredGrid& grid, const std::string& name) {
+  vtkDataArray* const array = grid.GetPointData()->GetArray(name.c_str());
+  if (array == nullptr || array->GetNumberOfComponents() == detail::kVectorComponents) return;
+  throw BadInput(fmt::format("the point array {} has {} component{}, but a vector has 3", name,
+                             array->GetNumberOfComponents(),
+                             array->GetNumberOfComponents() == 1 ? "" : "s"));
+}
+
 /// Vectors in the place of tensors, so that they pass the same checks: the first row.
 TensorField with_vectors_as_tensors(const std::filesystem::path& file, const std::string& name) {
   const detail::LoadedGrid loaded = detail::load_grid(file);
+  check_components(*loaded.grid, name);
   detail::RawField raw = detail::take_field(*loaded.grid, {.gradient_of = name});
   raw.pieces = loaded.pieces;
   for (const auto& [x, y, z] : raw.vectors)

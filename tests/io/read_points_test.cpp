@@ -94,6 +94,11 @@ TEST(ReadVectors, ChecksTheMesh) {
   };
   EXPECT_THAT(message("u"), HasSubstr("--fix-orientation"));
   EXPECT_THAT(message("w"), AllOf(HasSubstr("no point array w"), HasSubstr("u")));
+  const test::GridPointer grid = flow_grid({{VTK_TETRA, {0, 1, 2, 3}}});
+  test::add_array(*grid, "s", 1, [](const Point& x) { return std::vector<double>{x[0]}; });
+  test::write_vtu(directory / "b.vtu", *grid);
+  EXPECT_THAT(message_of(directory / "b.vtu", [](const auto& file) { read_vectors(file, "s"); }),
+              HasSubstr("s has 1 component, but a vector has 3"));
   EXPECT_EQ(read_vectors(directory / "a.vtu", "u", {.merge_points = false, .fix_orientation = true})
                 .vectors.size(),
             4u);
