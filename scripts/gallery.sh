@@ -4,7 +4,7 @@
 #
 # Makes every picture of docs/gallery.md, and docs/gallery/numbers.txt, which its figures are from. Installs what is missing and
 # builds the program first; with TRIPLEX=PROGRAM in the environment it takes that one instead. Fields and meshes stay in out/gallery; with KEEP=1 those that are there are
-# drawn again. About ten minutes on two cores, after the build.
+# drawn again. Less than ten minutes on two cores, after the build.
 # Usage: scripts/gallery.sh
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
