@@ -72,5 +72,9 @@ Tensor<double> CellField::tensor(const Point& x) const { return combine(tensors_
 Tensor<double> CellField::scaled_tensor(const Point& x) const {
   return combine(scaled_, barycentric(x));
 }
+Tensor<double> CellField::scaled_growth(const Vector& direction) const {
+  return combine(scaled_, {slope(0, direction), slope(1, direction), slope(2, direction),
+                           slope(3, direction)});
+}
 
 }  // namespace triplex::detail

@@ -30,6 +30,9 @@ class CellField {
   /// `tensor`, times a power of two that makes the tet's entries about one.
   Tensor<double> scaled_tensor(const Point& x) const;
 
+  /// How fast `scaled_tensor` grows along a direction.
+  Tensor<double> scaled_growth(const Vector& direction) const;
+
  private:
   TetId tet_;
   Point origin_{};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "triplex/bernstein/forms.hpp"
 #include "triplex/field/progress.hpp"
 #include "triplex/trace/stem_events.hpp"
 
@@ -201,7 +202,14 @@ std::optional<StemEnd> HalfTrace::accept(const Advance& a) {
   return std::nullopt;
 }
 
-/// Goes on along the other dominant eigenvector, turned by less than a right angle.
+/// How fast q grows along a direction, up to a positive factor.
+double HalfTrace::growth_of_q(const StemPoint& at, const Vector& direction) const {
+  const Tensor<double> a = triple_deviator(cell_.scaled_tensor(at.position));
+  return double_dot(mixed_cofactor(a, a), triple_deviator(cell_.scaled_growth(direction)));
+}
+
+/// Goes on along the other dominant eigenvector. That is a line; of its two directions the curve
+/// takes the one that leads over to the other side of the surface.
 std::optional<StemEnd> HalfTrace::turn(const StemPoint& at, Branch next) {
   const bool again = last_turn_ >= 0 && at.arc_length - last_turn_ <= 4 * error();
   if (again) return StemEnd::Sliding;
@@ -209,7 +217,10 @@ std::optional<StemEnd> HalfTrace::turn(const StemPoint& at, Branch next) {
   StemPoint after = at;
   after.forward = eigenvector_of(at.tensor, next);
   if (!is_direction(after.forward)) return StemEnd::NoDirection;
-  if (dot(after.forward, at.forward) < 0) after.forward = -1 * after.forward;
+  const double arriving = growth_of_q(at, at.forward), leaving = growth_of_q(at, after.forward);
+  const bool turns_back = arriving * leaving < 0;
+  const bool along = arriving * leaving == 0 && dot(after.forward, at.forward) < 0;
+  if (turns_back || along) after.forward = -1 * after.forward;
   points.push_back(after);
   last_turn_ = at.arc_length;
   branch_ = next;

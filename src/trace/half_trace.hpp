@@ -43,6 +43,7 @@ class HalfTrace {
   void cut_between(const CellStep& step, double lo, double hi, Advance& a) const;
   bool turns_within_error(const Advance& a, const Vector& forward) const;
   std::optional<StemEnd> accept(const Advance& a);
+  double growth_of_q(const StemPoint& at, const Vector& direction) const;
   std::optional<StemEnd> turn(const StemPoint& at, Branch next);
   double error() const;
 

@@ -55,7 +55,7 @@ TEST(Import, RefusalIsOneLineAndWritesNothing) {
     EXPECT_EQ(outcome.code, 1);
     EXPECT_EQ(outcome.out, "");
     EXPECT_THAT(outcome.err, AllOf(testing::StartsWith("triplex: "), HasSubstr(words)));
-    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_EQ(directory.files(), 0u);
   };
   refuse({kFrd, "--time", "9", "-o", file}, "homogeneous.frd: there is no time 9");

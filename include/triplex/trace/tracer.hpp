@@ -44,11 +44,11 @@ class Tracer {
   /// end where the sector changes: just behind the crossing, or before it if the field ends there.
   /// Guarantee: every `forward` is an eigenvector of the stored tensor as accurate as
   /// `eigenvectors` says, and turned like the one before it (at real neutral crossings, which
-  /// change the eigenvector: by less than a right angle); the events are exact for the stored
-  /// polyline (proofs/stem_events.md). Where the curve runs is approximate: the errors of the
-  /// steps are estimated and add up. A seed where the asked eigenvector does not exist gives one
-  /// point with a `forward` of NaNs.
-  /// \throw BadInput if the seed lies outside the mesh or an option is out of its range.
+  /// change the eigenvector: so that the curve leads over to the other side); the events are exact
+  /// for the stored polyline (proofs/stem_events.md). Where the curve runs is approximate: the
+  /// errors of the steps are estimated and add up. A seed where the asked eigenvector does not
+  /// exist gives one point with a `forward` of NaNs. \throw BadInput if the seed lies outside the
+  /// mesh or an option is out of its range.
   Hyperstreamline trace(const Point& seed, const TraceOptions& options = {}) const;
 
   /// The tet that holds a point, as `TetLocator::find`: nothing outside the mesh.
