@@ -63,7 +63,9 @@ Extraction extract_with_progress(const TensorField& field, const ExtractRequest&
     options.wish = wish_for_charts(field, options.table, *tolerance);
   }
   options.domains = request.domains;
-  options.contract = !request.keep_short_edges;
+  // Meshes for a tolerance are made otherwise, and the second road compares cell by cell.
+  options.contract =
+      !request.keep_short_edges && request.tolerance.empty() && !request.verify_quadrics;
   options.periodic = parse_axes(request.periodic);
   options.max_bisections = request.effort.max_bisections;
   options.threads = request.effort.threads;

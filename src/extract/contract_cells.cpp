@@ -24,10 +24,20 @@ constexpr double kReach = 0x1p-46;
 /// are.
 constexpr double kCore = 0x1p-60;
 
-double largest_coordinate(const TensorField& field) {
-  double largest = 0;
+Box box_of(const TensorField& field) {
+  Box box = {field.mesh.points.front(), field.mesh.points.front()};
   for (const Point& x : field.mesh.points)
-    for (const double c : x) largest = std::max(largest, std::fabs(c));
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.lo[k] = std::min(box.lo[k], x[k]);
+      box.hi[k] = std::max(box.hi[k], x[k]);
+    }
+  return box;
+}
+
+double largest_coordinate(const Box& box) {
+  double largest = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    largest = std::max({largest, std::fabs(box.lo[k]), std::fabs(box.hi[k])});
   return largest;
 }
 
@@ -56,7 +66,8 @@ std::vector<std::uint32_t> FeatureMeshBuilder::ends_of_short_edges(const std::ve
 }
 
 ContractionStatistics FeatureMeshBuilder::contract(std::vector<Cells>& parts) const {
-  const double largest = largest_coordinate(input_);
+  const Box box = box_of(input_);
+  const double largest = largest_coordinate(box);
   const double reach = kReach * largest, core = kCore * largest;
   if (ends_of_short_edges(parts, core).empty()) return {};
   const std::vector<std::uint32_t> ends = ends_of_short_edges(parts, reach);
@@ -92,7 +103,7 @@ ContractionStatistics FeatureMeshBuilder::contract(std::vector<Cells>& parts) co
   for (std::size_t c = 0; c < cells.size(); ++c)
     std::ranges::transform(cells[c]->vertices, complex.cells[c].vertices.begin(), local);
 
-  const Contraction contraction = contract_short_edges(complex, {reach, core, true});
+  const Contraction contraction = contract_short_edges(complex, {reach, core, box});
   for (std::size_t c = 0; c < cells.size(); ++c)
     for (std::size_t i = 0; i < 3; ++i)
       cells[c]->vertices[i] = vertices[contraction.became[complex.cells[c].vertices[i]]];

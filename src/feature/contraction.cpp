@@ -29,7 +29,7 @@ class Contractor {
   Contractor(const SharedComplex& complex, const ContractionLengths& lengths)
       : complex_(complex),
         reach_(lengths.reach),
-        keep_border_(lengths.keep_border),
+        domain_(lengths.domain),
         cells_(complex.cells),
         alive_(cells_.size(), true) {
     result_.became.resize(complex.points.size());
@@ -125,7 +125,7 @@ class Contractor {
     const VertexLink link = link_of(v, cells);
     if (link.shape == VertexLink::Shape::Other) return false;
     for (const auto& [length, a] : targets) {
-      if (keep_border_ && length > 0 && bends_border(v, a, link)) continue;
+      if (domain_ && length > 0 && bends_border(v, a, link)) continue;
       if (!keeps_topology(v, a, link, cells)) continue;
       contract(v, a, length);
       return true;
@@ -133,14 +133,15 @@ class Contractor {
     return false;
   }
 
-  /// The border of one surface runs through v, and not within one plane x, y or z = const.
+  /// The border of one surface runs through v, and not within one side of the domain.
   bool bends_border(std::uint32_t v, std::uint32_t a, const VertexLink& link) const {
     if (link.shape != VertexLink::Shape::Book || link.arcs != 1) return false;
     const Point& x = complex_.points[v];
     const Point& y = complex_.points[a];
     const Point& z = complex_.points[link.ends[link.ends[0] == a ? 1 : 0]];
     for (std::size_t k = 0; k < 3; ++k)
-      if (x[k] == y[k] && x[k] == z[k]) return false;
+      for (const double side : {domain_->lo[k], domain_->hi[k]})
+        if (x[k] == side && y[k] == side && z[k] == side) return false;
     return true;
   }
 
@@ -190,7 +191,7 @@ class Contractor {
 
   const SharedComplex& complex_;
   double reach_;
-  bool keep_border_;
+  std::optional<Box> domain_;
   std::vector<Cell> cells_;
   std::vector<bool> alive_;
   std::unordered_map<std::uint32_t, Star> stars_;  // of the ends of short edges

@@ -67,11 +67,11 @@ TEST(Report, HasTheDocumentedKeys) {
   const TemporaryDirectory directory;
   const std::string field = make_field(directory, "noise", 4);
   const json report = extract(field, directory / "out", {"--max-bisections", "2"});
-  EXPECT_THAT(
-      keys(report),
-      UnorderedElementsAre("certified", "version", "field", "options", "certificates", "refinement",
-                           "sign_stages", "features", "nodes", "nodes_undecided", "identical",
-                           "unresolved", "open_cells", "timing_s", "peak_memory_bytes"));
+  EXPECT_THAT(keys(report),
+              UnorderedElementsAre("certified", "version", "field", "options", "certificates",
+                                   "refinement", "contraction", "sign_stages", "features", "nodes",
+                                   "nodes_undecided", "identical", "unresolved", "open_cells",
+                                   "timing_s", "peak_memory_bytes"));
   EXPECT_THAT(keys(report["field"]),
               UnorderedElementsAre("file", "tets", "vertices", "array", "bounds", "split"));
   EXPECT_THAT(keys(report["certificates"]),

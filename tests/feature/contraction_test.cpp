@@ -269,11 +269,13 @@ TEST(Contraction, KeepsBordersInTheirPlanes) {
   SharedComplex complex;
   for (std::uint32_t i = 0; i <= kSide; ++i)
     for (std::uint32_t j = 0; j <= kSide; ++j)
-      complex.points.push_back({i / double{kSide}, j / double{kSide}, 0.1 * i * j});
+      complex.points.push_back({i / double{kSide}, j / double{kSide}, 0.5 + 0.01 * i * j});
   complex.fixed.assign(complex.points.size(), 0);
   add_grid(kSide, false, kPage, complex);
   for (const bool keep : {false, true}) {
-    const Contraction contraction = contract_short_edges(complex, {10, 10, keep});
+    ContractionLengths lengths = {10, 10};
+    if (keep) lengths.domain = Box{{0, 0, 0}, {1, 1, 2}};
+    const Contraction contraction = contract_short_edges(complex, lengths);
     const Left left = left_of(complex, contraction, kPage);
     const SurfaceTopology t = surface_topology(left.triangles, complex.points.size());
     EXPECT_EQ(t.euler, 1);

@@ -78,6 +78,8 @@ TEST(ReadField, ReadsTheFilesInData) {
   const std::filesystem::path data = TRIPLEX_DATA_DIR;
   int files = 0;
   for (const auto& [name, tets, points] : {std::tuple{"channel.vtu", 16047u, 3592u},
+                                           {"channel_laminar.vtu", 10194u, 2451u},
+                                           {"convection.vtu", 15972u, 3312u},
                                            {"rayleigh_benard.vtu", 15972u, 3312u},
                                            {"twist_030.vtu", 12000u, 2541u},
                                            {"twist_100.vtu", 12000u, 2541u},

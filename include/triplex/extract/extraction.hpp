@@ -77,7 +77,7 @@ struct ExtractionOptions {
   /// Contract edges of the size of rounding in the meshes of surfaces and of the triple degenerate
   /// curve, where that changes no topology; not in periodic domains, nor with `domains`. The cell
   /// that a triangle comes from then holds it up to `ContractionStatistics::moved`.
-  bool contract = true;
+  bool contract = false;
   /// Fill `FeatureMesh::tensors`.
   bool keep_tensors = false;
   /// Fill `Extraction::patches`.

@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "triplex/bernstein/tensor_array.hpp"
 #include "triplex/feature/feature.hpp"
+#include "triplex/field/grid.hpp"
 
 namespace triplex {
 
@@ -42,8 +44,8 @@ struct ContractionLengths {
   double core = 0;   ///< short edges count only if they are connected, by short edges, to one of
                      ///< this length or less
   /// Vertices on the border of one surface go to equal points only, or where the border runs within
-  /// a plane x, y or z = const before and after.
-  bool keep_border = false;
+  /// one side of this box before and after; anywhere if there is none.
+  std::optional<Box> domain = std::nullopt;
 };
 
 /// Contracts short edges, one end onto the other, as long as that changes no topology and no vertex
