@@ -36,7 +36,7 @@ draw crossings at_degenerate at_spine at_neutral --columns 3 --size 1400x560 --v
   --caption "degenerate surface" --caption "triple degenerate curve" --caption "real neutral surface"
 
 pi=3.141592653589793
-trace abc_trace abc.vtu --periodic x,y,z --seed $pi,$pi,$pi --length 80
+trace abc_trace abc.vtu --periodic x,y,z --seed $pi,$pi,$pi --length 20
 draw abc_hyperstreamline abc --panel none --panel neutral-real --columns 2 --size 1100x560 --no-nodes \
   --opacity 0.35 --with abc_trace/plant.vtp --caption "dominant hyperstreamline" \
   --caption "with the real neutral surface"
