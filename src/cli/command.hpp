@@ -27,6 +27,7 @@ void add_extract(CLI::App& program, Action& action);
 void add_render(CLI::App& program, Action& action);
 void add_plot_space(CLI::App& program, Action& action);
 void add_audit(CLI::App& program, Action& action);
+void add_quadric(CLI::App& program, Action& action);
 void add_compare(CLI::App& program, Action& action);
 void add_trace(CLI::App& program, Action& action);
 

@@ -81,6 +81,7 @@ ExitCode run(int argc, char** argv) {
   add_plot_space(program, action);
   add_audit(program, action);
   add_compare(program, action);
+  add_quadric(program, action);
   add_trace(program, action);
   if (const auto done = parse(program, argc, argv, action)) return *done;
   install_signal_handlers();

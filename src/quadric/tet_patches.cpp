@@ -39,9 +39,7 @@ std::optional<PatchMesh> mesh_patch(const QuadraticForm<double, 4>& form,
                                     const QuadricPatch& patch, const std::vector<TetLoop>& loops) {
   if (const auto chart = graph_chart(form, loops))
     if (auto mesh = triangulate_patch(*chart, loops)) return mesh;
-  const auto chart = patch.kind == QuadricPatch::Kind::Convex
-                         ? convex_chart(form, cut.cone, loops, holes_of(form, edges, cut, patch))
-                         : ruled_chart(form, loops);
+  const auto chart = parameter_plane(form, edges, cut, patch, loops);
   return chart ? triangulate_patch(*chart, loops) : std::nullopt;
 }
 
@@ -57,6 +55,15 @@ bool is_tiny(const TetLoop& loop) {
 }
 
 }  // namespace
+
+std::unique_ptr<PatchChart> parameter_plane(const QuadraticForm<double, 4>& form,
+                                            const std::array<EdgeCut, 6>& edges, const TetCut& cut,
+                                            const QuadricPatch& patch,
+                                            const std::vector<TetLoop>& loops) {
+  return patch.kind == QuadricPatch::Kind::Convex
+             ? convex_chart(form, cut.cone, loops, holes_of(form, edges, cut, patch))
+             : ruled_chart(form, loops);
+}
 
 // On the boundary of a convex cone in which F = tr^2 - 3 eta^2 |T|^2 > 0 the trace vanishes at the
 // apex only, so it has the sign that it has anywhere in that cone.

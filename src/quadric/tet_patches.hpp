@@ -22,6 +22,12 @@ std::vector<std::uint8_t> patches_of_feature(const SimplexForm<4>& form,
                                              const std::array<EdgeCut, 6>& edges,
                                              const TetCut& cut);
 
+/// The chart of the quadric's own parameters that holds a patch; nothing if none does.
+std::unique_ptr<PatchChart> parameter_plane(const QuadraticForm<double, 4>& form,
+                                            const std::array<EdgeCut, 6>& edges, const TetCut& cut,
+                                            const QuadricPatch& patch,
+                                            const std::vector<TetLoop>& loops);
+
 /// Meshes them; patches of one loop that no chart holds as a fan, if `last` or if they are tiny.
 void mesh_patches(const SimplexForm<4>& form, const CutMesh& mesh, const SampledFaces& faces,
                   const CutTet& tet, int samples, bool last, TetPatches& patches);
