@@ -50,11 +50,12 @@ QuadricSteps quadric_steps(const TensorField& field, TetId tet, const FeatureRow
   const auto surface = quadric_of(feature);
   if (!surface) throw std::invalid_argument("the feature " + feature.name + " is on no quadric");
   const TensorField one = only(field, tet);
-  const detail::CutMesh mesh = detail::cut_mesh(one, *surface);
-  const detail::CutTet& cut = mesh.tets.at(0);
-  const SimplexForm<4> form(*surface, one, cut.vertices);
+  const SimplexForm<4> form(*surface, one, {VertexId{0}, VertexId{1}, VertexId{2}, VertexId{3}});
   QuadricSteps steps;
   steps.type = quadric_type(form);
+  const detail::CutMesh mesh = detail::cut_mesh(one, *surface);
+  if (mesh.tets.empty()) return steps;  // nothing in it
+  const detail::CutTet& cut = mesh.tets[0];
   steps.transverse = cut.cut.transverse;
   if (!steps.transverse) return steps;
   const auto edges = detail::cuts_of<6>(mesh.edges, cut.edges);

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kDocs = TRIPLEX_DOCS_DIR;
-constexpr std::uintmax_t kLargest = 400'000, kLargestSum = 4'000'000;  // bytes
+constexpr std::uintmax_t kLargest = 400'000, kLargestSum = 4'500'000;  // bytes
 
 const std::map<std::string, HasHue>& hues() {
   static const std::map<std::string, HasHue> table = {
