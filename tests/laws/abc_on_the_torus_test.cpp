@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "../extract/fields.hpp"
+#include "../extract/periodic_fields.hpp"
 #include "triplex/topology/curve_topology.hpp"
 #include "triplex/topology/surface_topology.hpp"
 
@@ -21,13 +22,7 @@ Extraction extract_on_torus(const GridOptions& grid) {
   return extract(generate_abc(grid), options);
 }
 
-template <std::size_t N>
-std::vector<std::array<std::uint32_t, N>> glued(std::vector<std::array<std::uint32_t, N>> cells,
-                                                const FeatureMesh& mesh) {
-  for (auto& cell : cells)
-    for (std::uint32_t& v : cell) v = mesh.identified.at(v);
-  return cells;
-}
+using test::glued;
 
 void expect_six_curves(const Extraction& result) {
   const FeatureMesh& curve = result.mesh(Feature::TripleCurve);
