@@ -8,7 +8,7 @@
 #include "triplex/extract/extraction.hpp"
 #include "triplex/io/read_field.hpp"
 #include "triplex/io/write_polydata.hpp"
-#include "triplex/render/render.hpp"
+#include "triplex/render/view.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 3) return 1;
@@ -18,5 +18,5 @@ int main(int argc, char** argv) {
     triplex::write_polydata(std::filesystem::path(argv[2]) / (std::string(row.name) + ".vtp"),
                             result.features[static_cast<std::size_t>(row.feature)], row.feature);
   }
-  return triplex::camera_named("x") ? 0 : 1;
+  return triplex::view_named("x") ? 0 : 1;
 }
