@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "splitmix64.hpp"
@@ -37,6 +38,17 @@ SineCosine sine_cosine_pi(double x) {
     default:
       return {-s, -c};
   }
+}
+
+/// sin x and cos x; where x is a multiple of pi/2 up to its roundings, exactly those of the
+/// multiple, so that what vanishes on planes of symmetry is zero.
+SineCosine sine_cosine(double x) {
+  constexpr double kRoundings = 4;  // of x, of pi, of the quotient, and one to spare
+  const double quarters = x / (kPi / 2), nearest = std::nearbyint(quarters);
+  const double slack = kRoundings * std::numeric_limits<double>::epsilon();
+  if (std::fabs(quarters - nearest) <= slack * std::fabs(nearest))
+    return sine_cosine_pi(std::remainder(nearest, 4.0) / 2);
+  return {std::sin(x), std::cos(x)};
 }
 
 /// A grid with the tensor that `tensor(i, x)` gives for vertex i at x.
@@ -98,9 +110,10 @@ Point abc_velocity(const Point& x, const AbcParameters& f) {
 }
 
 Tensor<double> abc_gradient(const Point& x, const AbcParameters& f) {
-  return {0, -f.c * std::sin(x[1]), f.a * std::cos(x[2]),  f.b * std::cos(x[0]),
-          0, -f.a * std::sin(x[2]), -f.b * std::sin(x[0]), f.c * std::cos(x[1]),
-          0};
+  const auto [sx, cx] = sine_cosine(x[0]);
+  const auto [sy, cy] = sine_cosine(x[1]);
+  const auto [sz, cz] = sine_cosine(x[2]);
+  return {0, -f.c * sy, f.a * cz, f.b * cx, 0, -f.a * sz, -f.b * sx, f.c * cy, 0};
 }
 
 TensorField generate_abc(const GridOptions& options, const AbcParameters& parameters) {

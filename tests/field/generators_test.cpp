@@ -118,6 +118,15 @@ TEST(Generators, AbcFollowsItsClosedForm) {
   }
 }
 
+/// Where a cosine or a sine vanishes the entry is zero, not of the size of rounding.
+TEST(Generators, AbcVanishesExactlyOnItsPlanesOfSymmetry) {
+  for (const int n : {4, 12, 20, 28}) {
+    const TensorField field = generate_abc({.n = n});
+    for (const Tensor<double>& a : field.tensors)
+      for (const double x : a) EXPECT_TRUE(x == 0 || std::fabs(x) > 1e-3);
+  }
+}
+
 TEST(Generators, AbcIsPeriodicBitForBit) {
   for (const CellSplit split : {CellSplit::Six, CellSplit::Five}) {
     const int n = 6;
