@@ -13,6 +13,7 @@
 #include "triplex/certify/edge_side.hpp"
 #include "triplex/certify/exclusion.hpp"
 #include "triplex/certify/graph.hpp"
+#include "triplex/certify/mode_order.hpp"
 #include "triplex/certify/nappe.hpp"
 #include "triplex/certify/pencil.hpp"
 #include "triplex/certify/spine.hpp"
@@ -108,7 +109,8 @@ class SignedSimplex {
       return true;
     if (at_node) return false;
     if constexpr (N == 2)
-      return (!curved || !near_spine) && certifies_one_root(simplex_, sheet, stages_);
+      return ((!curved || !near_spine) && certifies_one_root(simplex_, sheet, stages_)) ||
+             (curved && certifies_monotone_mode(simplex_, sheet, stages_));
     // Last, as they cost most. The sign of D is asked for by the tet itself, once for all sheets
     // with the same mode.
     if constexpr (N > 2) {

@@ -12,6 +12,7 @@
 #include "triplex/certify/edge_side.hpp"
 #include "triplex/certify/exclusion.hpp"
 #include "triplex/certify/graph.hpp"
+#include "triplex/certify/mode_order.hpp"
 #include "triplex/certify/spine.hpp"
 
 namespace triplex {
@@ -108,7 +109,7 @@ std::array<double, 4> weights_of(const std::array<int, 4>& n) {
 
 struct Counts {
   int p = 0, q = 0, degenerate = 0, discriminant = 0, spine = 0, graph = 0, injective = 0,
-      monotone = 0, one_root = 0;
+      monotone = 0, one_root = 0, mode = 0;
 };
 
 class CertificateTest : public testing::Test {
@@ -306,6 +307,10 @@ TEST_F(CertificateTest, CertifiedEdgesHaveAtMostOneRoot) {
           EXPECT_LE(changes, 1);
         }
         uncertified_with_more += !graph && changes > 1;
+        if (is_curved(sheet) && certifies_monotone_mode(edge, sheet, stages_)) {
+          ++counts.mode;
+          EXPECT_LE(changes, 1);
+        }
         if (!certifies_one_root(edge, sheet, stages_)) continue;
         ++counts.one_root;
         if (!is_curved(sheet)) {
@@ -324,10 +329,38 @@ TEST_F(CertificateTest, CertifiedEdgesHaveAtMostOneRoot) {
   });
   EXPECT_GT(counts.graph, kTets);
   EXPECT_GT(counts.one_root, kTets);
+  EXPECT_GT(counts.mode, kTets);
   EXPECT_GT(uncertified_with_more, 20);  // such edges occur, and are refused
 }
 
 /// No closed component: with one sign on the boundary of a tet, a graph sheet keeps it inside.
+/// On an edge where q vanishes throughout and p at one point the triple degenerate curve passes
+/// through it. Of the two ways to turn the edge the graph certificate serves one at most, for each
+/// of the two sheets; the order of the modes serves both.
+TEST(ModeOrder, HoldsWhereTheTripleDegenerateCurvePassesThroughAnEdge) {
+  for (const double slope : {1.0, -1.0}) {
+    TensorField field;  // q = 0, and p from slope / 8 to -slope / 8
+    field.mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    field.mesh.tets = {{VertexId(0), VertexId(1), VertexId(2), VertexId(3)}};
+    field.tensors.resize(4);
+    for (Tensor<double>& t : field.tensors) t = {0, 1, 0, 1, 0, 1, 0, -1, 0};
+    field.tensors[0][7] -= slope / 8;
+    field.tensors[3][7] += slope / 8;
+    const RefinableField refinable(field);
+    // Vertices are numbered by their coordinates: (0, 0, 0) and (0, 0, 1) come first.
+    const Simplex<2> edge(refinable, {VertexId(0), VertexId(1)});
+    SignStages stages;
+    int graphs = 0;
+    for (const Sheet& sheet : standard_features().sheets()) {
+      if (sheet.kind != Sheet::Kind::Curved) continue;
+      EXPECT_TRUE(certifies_monotone_mode(edge, sheet, stages));
+      EXPECT_FALSE(certifies_one_root(edge, sheet, stages));  // a triple root
+      graphs += certifies_graph(edge, sheet, stages);
+    }
+    EXPECT_LT(graphs, 2);
+  }
+}
+
 TEST_F(CertificateTest, GraphSheetsHideNoClosedComponents) {
   Counts counts;
   for_random_tets([&](const RefinableField& field, const std::array<VertexId, 4>& v) {
