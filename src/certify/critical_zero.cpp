@@ -83,7 +83,8 @@ bool scale_to_sum_one(std::array<double, N>& w) {
   double sum = 0;
   for (const double x : w) sum += x;
   for (double& x : w) x /= sum;
-  return std::ranges::all_of(w, [](double x) { return x > kNearZero; });
+  // Of a face also points that are nearer to an edge than doubles tell; on which side, is exact.
+  return std::ranges::all_of(w, [](double x) { return x > (N == 3 ? -kNearZero : kNearZero); });
 }
 
 template <int N>
