@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 
 #include "../extract/fields.hpp"
 #include "../oracle/random_tensors.hpp"
@@ -65,6 +66,21 @@ std::uint64_t compare_roads(const TensorField& field, const FeatureTable& table)
     EXPECT_EQ(c.quadrics.nonmanifold_edges, 0u) << row.name;
     EXPECT_EQ(c.quadrics.orientation_conflicts, 0u) << row.name;
     compared += c.compared;
+    if (row.feature != Feature::BalancedLinear) return;
+    open = open_cells(certified, features);
+    const BalancedParts parts = split_balanced(quadrics);
+    for (const Feature f : {Feature::BalancedLinear, Feature::BalancedPlanar}) {
+      QuadricExtraction part = quadrics;
+      part.mesh = f == Feature::BalancedLinear ? parts.linear : parts.planar;
+      const QuadricComparison p = compare_part(field, part, certified.mesh(f), open);
+      EXPECT_TRUE(p.agree()) << table.row(f).name << ": " << p.differing.size() << " of "
+                             << p.compared << " differ, " << p.left_out << " left out";
+      EXPECT_EQ(p.quadrics.nonmanifold_edges, 0u) << table.row(f).name;
+      EXPECT_EQ(p.quadrics.orientation_conflicts, 0u) << table.row(f).name;
+      std::cout << "PART " << p.compared << " diff " << p.differing.size() << " out " << p.left_out << " contacts " << quadrics.contacts.size() << " cc "
+                << quadrics.curve_contacts.size() << " unsplit " << quadrics.unsplit.size()
+                << " of " << quadrics.pieces.size() << std::endl;
+    }
   };
   const MergedMesh balanced =
       merged(certified.mesh(Feature::BalancedLinear), certified.mesh(Feature::BalancedPlanar));
@@ -179,7 +195,7 @@ TEST(Quadrics, PartsOfTheBalancedSurface) {
   const TensorField field = abc(8);
   const QuadricExtraction e =
       extract_quadric(field, standard_features().row(Feature::BalancedLinear));
-  const BalancedParts parts = split_balanced_approx(e);
+  const BalancedParts parts = split_balanced(e);
   EXPECT_EQ(parts.linear.points, parts.planar.points);
   ExtractionOptions options;
   options.features = bit(Feature::BalancedLinear) | bit(Feature::BalancedPlanar);
@@ -241,7 +257,7 @@ TEST(Quadrics, OfAnotherFeatureAreRefused) {
   const QuadricExtraction e =
       extract_quadric(generate_lorenz(grid), table.row(table.add_magnitude(40)));
   ASSERT_FALSE(e.mesh.points.empty());
-  EXPECT_THROW(split_balanced_approx(e), std::invalid_argument);
+  EXPECT_THROW(split_balanced(e), std::invalid_argument);
 }
 
 }  // namespace
