@@ -155,8 +155,8 @@ std::string quadrics_lines(const QuadricChecks& checks) {
   std::string lines;
   for (const QuadricCheck& c : checks) {
     const std::string split =
-        c.is_part ? fmt::format(", {} at the curve, {} not split",
-                                c.quadrics.curve_contacts.size(), c.quadrics.unsplit.size())
+        c.is_part ? fmt::format(", {} at the curve, {} not split", c.quadrics.curve_contacts.size(),
+                                c.quadrics.unsplit.size())
                   : "";
     fmt::format_to(std::back_inserter(lines),
                    "quadrics of {}: {} tets compared, {} differ, {} left out ({} contacts{}){}\n",

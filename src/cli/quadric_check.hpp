@@ -15,7 +15,7 @@ namespace triplex::cli {
 
 /// One surface found again as quadrics of the input's tets, and held against the certified mesh.
 struct QuadricCheck {
-  std::string name;  ///< of the feature; `balanced` for linear and planar part together
+  std::string name;      ///< of the feature; `balanced` for linear and planar part together
   bool is_part = false;  ///< the linear or planar part of `balanced`, where its split is known
   QuadricExtraction quadrics;
   QuadricComparison comparison;

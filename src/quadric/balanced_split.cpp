@@ -13,7 +13,8 @@ namespace {
 /// function, linear on each, is zero. Points of the curve have q = 0.
 class Cutter {
  public:
-  explicit Cutter(const QuadricExtraction& balanced) : mesh_(balanced.mesh), sides_(balanced.parts) {
+  explicit Cutter(const QuadricExtraction& balanced)
+      : mesh_(balanced.mesh), sides_(balanced.parts) {
     for (FeatureMesh* part : {&parts_.linear, &parts_.planar}) {
       part->points = mesh_.points;
       part->q = mesh_.q;

@@ -82,7 +82,8 @@ FixedInterval<Bits> root_of(const FixedInterval<Bits>& x) {
     mpz_sqrt(r.get_mpz_t(), shifted.get_mpz_t());
     return r;
   };
-  return {x.lo > 0 ? root(x.lo) : mpz_class(0), x.hi > 0 ? mpz_class(root(x.hi) + 1) : mpz_class(0)};
+  return {x.lo > 0 ? root(x.lo) : mpz_class(0),
+          x.hi > 0 ? mpz_class(root(x.hi) + 1) : mpz_class(0)};
 }
 inline Interval root_of(const Interval& x) {
   return CGAL::sqrt(Interval(x.inf() > 0 ? x.inf() : 0, x.sup() > 0 ? x.sup() : 0));

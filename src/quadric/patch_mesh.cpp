@@ -67,8 +67,8 @@ using Edges = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 /// Marks faces 1 inside, -1 outside, crossing loops from the infinite face on.
 void mark_region(Triangulation& t, const Edges& arc) {
   const auto is_loop = [&](Triangulation::Face_handle f, int i) {
-    return f->is_constrained(i) &&
-           !arc.contains(std::minmax(f->vertex((i + 1) % 3)->info(), f->vertex((i + 2) % 3)->info()));
+    return f->is_constrained(i) && !arc.contains(std::minmax(f->vertex((i + 1) % 3)->info(),
+                                                             f->vertex((i + 2) % 3)->info()));
   };
   for (auto f : t.all_face_handles()) f->info() = 0;
   std::vector<Triangulation::Face_handle> todo = {t.infinite_face()}, across;
@@ -232,8 +232,7 @@ void divide_chords(const PatchChart& chart, const Border& border, const std::vec
 }  // namespace
 
 std::optional<PatchMesh> triangulate_patch(const PatchChart& chart,
-                                           const std::vector<TetLoop>& loops,
-                                           const PatchCut& cut) {
+                                           const std::vector<TetLoop>& loops, const PatchCut& cut) {
   Loops flat;
   std::uint32_t border = 0;
   for (const TetLoop& loop : loops) {

@@ -21,7 +21,7 @@ struct PatchMesh {
 
 /// How the triple degenerate curve cuts a patch.
 struct PatchCut {
-  std::vector<std::int8_t> sides;  ///< of q at the points of the loops; 0 at the ends; or empty
+  std::vector<std::int8_t> sides;   ///< of q at the points of the loops; 0 at the ends; or empty
   std::vector<std::uint32_t> ends;  ///< none, or the two points of the only loop that an arc joins
   std::vector<TetPoint> path;       ///< points between them
 
@@ -39,8 +39,9 @@ struct PatchCut {
 
 /// Fills the region between loops by constrained Delaunay triangulation in the plane of a chart,
 /// with samples inside, and lifts it. Nothing if in the chart the loops are not the boundary of one
-/// region: the combinatorics are checked (Euler number, all loops on the boundary). The arc of a cut
-/// is a constraint, and its sides are those of the triangles; nothing if they are not as proven.
+/// region: the combinatorics are checked (Euler number, all loops on the boundary). The arc of a
+/// cut is a constraint, and its sides are those of the triangles; nothing if they are not as
+/// proven.
 std::optional<PatchMesh> triangulate_patch(const PatchChart& chart,
                                            const std::vector<TetLoop>& loops,
                                            const PatchCut& cut = {});

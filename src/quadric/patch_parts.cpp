@@ -18,8 +18,8 @@ PatchCut cut_of_patch(const TensorField& field, const CutTet& tet, const Quadric
   for (std::uint32_t n = 0; n < cut.sides.size(); ++n)
     if (cut.sides[n] == 0) cut.ends.push_back(n);
   if (cut.ends.size() == 2)
-    cut.path = spine_path_approx(field, tet.vertices, loops[0][cut.ends[0]],
-                                 loops[0][cut.ends[1]], samples);
+    cut.path = spine_path_approx(field, tet.vertices, loops[0][cut.ends[0]], loops[0][cut.ends[1]],
+                                 samples);
   return cut;
 }
 

@@ -41,8 +41,7 @@ void choose_patches(const TensorField& field, const QuadricSurface& surface, con
 
 void mesh_all(const TensorField& field, const QuadricSurface& surface,
               const QuadricOptions& options, const CutMesh& mesh, const SpineCut& spine,
-              SampledFaces& faces,
-              std::vector<TetPatches>& patches) {
+              SampledFaces& faces, std::vector<TetPatches>& patches) {
   std::vector<std::uint32_t> todo = faces.changed_tets();
   for (int round = 0; !todo.empty(); ++round) {
     const bool last = round == kRounds;

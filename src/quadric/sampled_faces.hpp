@@ -72,9 +72,9 @@ class SampledFaces {
   QuadricSurface surface_;
   const CutMesh* mesh_;
   const SpineCut* spine_;
-  std::vector<std::uint16_t> rate_;             // per face: segments of an arc
-  std::vector<std::uint8_t> changed_;           // per face
-  std::vector<std::vector<FacePoint>> points_;  // per face: arc by arc
+  std::vector<std::uint16_t> rate_;              // per face: segments of an arc
+  std::vector<std::uint8_t> changed_;            // per face
+  std::vector<std::vector<FacePoint>> points_;   // per face: arc by arc
   std::vector<std::vector<std::int8_t>> sides_;  // of them, where the curve on the face is known
   std::vector<std::array<std::uint16_t, 4>> first_of_arc_;  // per face
   std::vector<std::uint32_t> first_of_edge_, first_of_face_;

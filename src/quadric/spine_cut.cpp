@@ -35,11 +35,11 @@ std::vector<std::uint32_t> of_open_tets(const CutMesh& mesh, const SpineCut& cut
 }
 
 void look_at_edges(const TensorField& field, const CutMesh& mesh, SpineCut& cut) {
-  const auto edges = of_open_tets(mesh, cut, [](const CutTet & t) -> auto& { return t.edges; });
+  const auto edges = of_open_tets(
+      mesh, cut, [](const CutTet& t) -> auto& { return t.edges; });
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t n) {
     const CutMeshEdge& edge = mesh.edges[edges[n]];
-    if (edge.cut.roots > 0)
-      cut.edges[edges[n]] = spine_signs(field, edge.vertices, edge.cut);
+    if (edge.cut.roots > 0) cut.edges[edges[n]] = spine_signs(field, edge.vertices, edge.cut);
   });
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     if (cut.tets[t] != TetSplit::Open) continue;
@@ -50,7 +50,8 @@ void look_at_edges(const TensorField& field, const CutMesh& mesh, SpineCut& cut)
 }
 
 void look_at_faces(const TensorField& field, const CutMesh& mesh, SpineCut& cut) {
-  const auto faces = of_open_tets(mesh, cut, [](const CutTet & t) -> auto& { return t.faces; });
+  const auto faces = of_open_tets(
+      mesh, cut, [](const CutTet& t) -> auto& { return t.faces; });
   tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t n) {
     const CutMeshFace& face = mesh.faces[faces[n]];
     std::array<std::array<Sign, 2>, 3> signs;
@@ -68,8 +69,7 @@ std::optional<std::vector<TetPoint>> ends_in(const CutTet& tet, const SpineCut& 
     for (const SpinePoint& point : face.points) {
       TetPoint& x = ends.emplace_back();
       x = {};
-      for (std::size_t k = 0; k < 3; ++k)
-        x[static_cast<std::size_t>(kTetFaces[f][k])] = point.x[k];
+      for (std::size_t k = 0; k < 3; ++k) x[static_cast<std::size_t>(kTetFaces[f][k])] = point.x[k];
     }
   }
   return ends;
@@ -85,8 +85,8 @@ bool is_simple(const CutTet& tet, const SpineCut& cut) {
       const QuadricLoop& loop = tet.cut.loops[l];
       if (loop.is_oval()) return false;
       for (const LoopArc& arc : loop.arcs)
-        ends += static_cast<std::size_t>(std::ranges::count(
-            cut.faces[tet.faces[arc.face]].points, arc.arc, &SpinePoint::arc));
+        ends += static_cast<std::size_t>(
+            std::ranges::count(cut.faces[tet.faces[arc.face]].points, arc.arc, &SpinePoint::arc));
     }
     return ends == 0 || (ends == 2 && patch.loops.size() == 1);
   });

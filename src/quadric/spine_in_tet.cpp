@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spine_free.hpp"
 #include "triplex/arithmetic/filter.hpp"
 
 namespace triplex::detail {
@@ -63,7 +64,9 @@ Part half_of(const Part& part, int i, int j) {
   Part r = part;
   const Interval half(0.5), two(2), three(3);
   const auto& f = part.forms;
-  const auto mean = [&](const Interval& a, const Interval& b) -> Interval { return half * (a + b); };
+  const auto mean = [&](const Interval& a, const Interval& b) -> Interval {
+    return half * (a + b);
+  };
   const Interval quarter(0.25), eighth(0.125);
   for (int k = 0; k < 4; ++k) {
     if (k == i) continue;
@@ -77,8 +80,7 @@ Part half_of(const Part& part, int i, int j) {
   r.forms.q[triple_index<4>(i, i, i)] =
       eighth * (f.Q(i, i, i) + three * (f.Q(i, i, j) + f.Q(i, j, j)) + f.Q(j, j, j));
   r.height[i] = mean(part.height[i], part.height[j]);
-  for (int k = 0; k < 4; ++k)
-    r.vertices[i][k] = (part.vertices[i][k] + part.vertices[j][k]) / 2;
+  for (int k = 0; k < 4; ++k) r.vertices[i][k] = (part.vertices[i][k] + part.vertices[j][k]) / 2;
   return r;
 }
 
@@ -88,8 +90,7 @@ std::array<int, 2> longest_edge(const Part& part) {
   for (int i = 0; i < 4; ++i)
     for (int j = i + 1; j < 4; ++j) {
       double length = 0;
-      for (int k = 0; k < 4; ++k)
-        length += std::fabs(part.vertices[i][k] - part.vertices[j][k]);
+      for (int k = 0; k < 4; ++k) length += std::fabs(part.vertices[i][k] - part.vertices[j][k]);
       if (length > longest) best = {i, j};
       longest = std::fmax(longest, length);
     }
@@ -171,7 +172,9 @@ bool grows_along_spine(const TensorField& field, const std::array<VertexId, 4>& 
     if (n == kBudget) return false;
     const Part part = todo.back();
     todo.pop_back();
-    if (one_sign(part.forms.p) || one_sign(part.forms.q) || grows(part)) continue;
+    if (one_sign(part.forms.p) || one_sign(part.forms.q) || grows(part) ||
+        is_free_of_spine(part.forms))
+      continue;
     const auto [i, j] = longest_edge(part);
     todo.push_back(half_of(part, i, j));
     todo.push_back(half_of(part, j, i));
@@ -199,8 +202,8 @@ std::vector<TetPoint> spine_path_approx(const TensorField& field,
       jacobian.row(0) = at.dp.transpose() / at.dp.norm();
       jacobian.row(1) = at.dq.transpose() / at.dq.norm();
       jacobian.row(2) = d.transpose();
-      const double off = d[0] * (chord[1] - x[1]) + d[1] * (chord[2] - x[2]) +
-                         d[2] * (chord[3] - x[3]);
+      const double off =
+          d[0] * (chord[1] - x[1]) + d[1] * (chord[2] - x[2]) + d[2] * (chord[3] - x[3]);
       const Eigen::Vector3d s = jacobian.partialPivLu().solve(
           Eigen::Vector3d(-at.p / at.dp.norm(), -at.q / at.dq.norm(), off));
       step = s.norm();

@@ -35,8 +35,7 @@ std::array<Sign, 2> spine_signs(const TensorField& field, const std::array<Verte
     const IntervalRounding rounding;
     const auto f = forms_on<Interval>(field, vertices);
     for (int k = 0; k < edge.roots; ++k)
-      known[k] =
-          known_sign(cubic_at(f, root_vector(f.P(0, 0), f.P(0, 1), f.P(1, 1), edge, k)));
+      known[k] = known_sign(cubic_at(f, root_vector(f.P(0, 0), f.P(0, 1), f.P(1, 1), edge, k)));
   }
   for (int k = 0; k < edge.roots; ++k)
     signs[k] = known[k] ? *known[k] : exact_sign(forms_on<Exact>(field, vertices), edge, k);

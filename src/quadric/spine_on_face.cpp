@@ -22,8 +22,7 @@ using Arc = std::array<Vector<NT>, 3>;
 template <class NT>
 Vector<NT> on_edge(const Forms<NT, 3>& f, const std::array<EdgeCut, 3>& edges, EdgeRoot root) {
   const auto [v, w] = kFaceEdges[root.edge];
-  const auto r =
-      root_vector(f.P(v, v), f.P(v, w), f.P(w, w), edges[root.edge], int{root.root});
+  const auto r = root_vector(f.P(v, v), f.P(v, w), f.P(w, w), edges[root.edge], int{root.root});
   Vector<NT> x{NT(0), NT(0), NT(0)};
   x[v] = r[0];
   x[w] = r[1];
@@ -65,13 +64,11 @@ std::optional<Arc<NT>> arc_between(const Forms<NT, 3>& f, bool straight, const V
 }
 
 template <class NT>
-NT trilinear(const Forms<NT, 3>& f, const Vector<NT>& x, const Vector<NT>& y,
-             const Vector<NT>& z) {
+NT trilinear(const Forms<NT, 3>& f, const Vector<NT>& x, const Vector<NT>& y, const Vector<NT>& z) {
   NT sum(0);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      sum = sum + x[i] * y[j] *
-                      (f.Q(i, j, 0) * z[0] + f.Q(i, j, 1) * z[1] + f.Q(i, j, 2) * z[2]);
+      sum = sum + x[i] * y[j] * (f.Q(i, j, 0) * z[0] + f.Q(i, j, 1) * z[1] + f.Q(i, j, 2) * z[2]);
   return sum;
 }
 
@@ -126,7 +123,8 @@ class Isolation {
       return true;
     }
     if (depth == kDepth) return false;
-    for (const double at : {15.0 / 32, 17.0 / 32}) {  // not the middle: symmetric fields are zero there
+    for (const double at :
+         {15.0 / 32, 17.0 / 32}) {  // not the middle: symmetric fields are zero there
       Sextic<NT> left, right = b;
       const NT s(1 - at), t(at);
       for (int k = 0; k <= 6; ++k) {

@@ -47,7 +47,7 @@ std::optional<PatchMesh> mesh_patch(const QuadraticForm<double, 4>& form,
 
 /// The side of the whole tet, if it has one.
 std::int8_t side_of(TetSplit split) {
-  return split == TetSplit::Linear ? std::int8_t{1}
+  return split == TetSplit::Linear   ? std::int8_t{1}
          : split == TetSplit::Planar ? std::int8_t{-1}
                                      : std::int8_t{0};
 }
@@ -120,8 +120,12 @@ void mesh_patches(const SimplexForm<4>& form, const CutMesh& mesh, const Sampled
     std::optional<PatchMesh> found;
     if (loops.empty()) found = triangulate_ellipsoid(approx, samples);
     if (split == TetSplit::Proven) {
-      const PatchCut arc = cut_of_patch(form.field(), tet, patch, faces, loops, samples);
+      PatchCut arc = cut_of_patch(form.field(), tet, patch, faces, loops, samples);
       found = mesh_patch(approx, edges, tet.cut, patch, loops, arc);
+      while (!found && !arc.path.empty()) {  // coarser arcs may not cross the coarse loop
+        arc.path.resize(arc.path.size() / 2);
+        found = mesh_patch(approx, edges, tet.cut, patch, loops, arc);
+      }
     }
     if (!found) found = mesh_patch(approx, edges, tet.cut, patch, loops, {});
     if (!found && loops.size() == 1 && (last || is_tiny(loops[0])))

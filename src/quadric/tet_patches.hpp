@@ -14,7 +14,7 @@ struct TetPatches {
   std::vector<std::uint8_t> chosen;  ///< numbers of patches of the cut
   std::vector<PatchMesh> meshes;     ///< one for each; no triangles: not meshed
   bool complete = true;              ///< all are meshed
-  bool split = true;  ///< of a balanced surface: all triangles are linear or planar
+  bool split = true;                 ///< of a balanced surface: all triangles are linear or planar
 };
 
 /// The patches on which the trace has the sign of an isotropicity; all of the other kinds.

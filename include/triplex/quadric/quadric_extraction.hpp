@@ -49,8 +49,8 @@ struct QuadricExtraction {
   std::vector<QuadricContact> contacts;  ///< not meshed
   /// Tets of `pieces` with a patch of several loops that no chart could hold: not meshed.
   std::vector<TetId> unmeshed;
-  /// Of the balanced surface, per triangle: 1 linear (q > 0), -1 planar (q < 0), proven; 0 where the
-  /// split is not. Between triangles of different sides runs the triple degenerate curve.
+  /// Of the balanced surface, per triangle: 1 linear (q > 0), -1 planar (q < 0), proven; 0 where
+  /// the split is not. Between triangles of different sides runs the triple degenerate curve.
   std::vector<std::int8_t> parts;
   /// Tets of `pieces` in which the triple degenerate curve meets an edge: not split.
   std::vector<QuadricContact> curve_contacts;
