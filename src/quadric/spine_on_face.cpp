@@ -209,6 +209,16 @@ Forms<FixedInterval<Bits>, 3> fixed(const Forms<Exact, 3>& f) {
   return r;
 }
 
+/// Multiplies by a power of two, so that products of many do not underflow.
+template <class Coefficients>
+void bring_near_one(Coefficients& c) {
+  double largest = 0;
+  for (const Interval& x : c) largest = std::fmax(largest, std::fabs(middle_of(x)));
+  if (!(largest > 0x1p-1000) || !(largest < 0x1p1000)) return;
+  const Interval scale(std::ldexp(1, -std::ilogb(largest)));
+  for (Interval& x : c) x = scale * x;
+}
+
 }  // namespace
 
 FaceSpine spine_on_face(const TensorField& field, const CutMeshFace& face,
@@ -217,7 +227,9 @@ FaceSpine spine_on_face(const TensorField& field, const CutMeshFace& face,
   FaceSpine result;
   {
     const IntervalRounding rounding;
-    const auto f = forms_on<Interval>(field, face.vertices);
+    auto f = forms_on<Interval>(field, face.vertices);
+    bring_near_one(f.p);
+    bring_near_one(f.q);
     bool positive = true, negative = true;
     for (const Interval& x : f.q) {
       positive = positive && x.inf() > 0;
