@@ -27,6 +27,12 @@ std::vector<std::int64_t> open_cells(const Extraction& extraction, FeatureSet fe
   return cells;
 }
 
+std::vector<std::int64_t> cells_of(const TensorField& field, const std::vector<TetId>& tets) {
+  std::vector<std::int64_t> cells;
+  for (const TetId t : tets) cells.push_back(field.source_cell(t));
+  return cells;
+}
+
 QuadricCheck check(const TensorField& field, const FeatureRow& row, const FeatureMesh& mesh,
                    std::vector<std::int64_t> open, unsigned threads) {
   QuadricCheck result;
@@ -38,6 +44,21 @@ QuadricCheck check(const TensorField& field, const FeatureRow& row, const Featur
   result.quadrics = extract_quadric(field, row, options);
   result.seconds = watch.lap();
   result.comparison = compare_quadrics(field, result.quadrics, mesh, open);
+  return result;
+}
+
+/// One part of the balanced surface, where its split is known.
+QuadricCheck check_part(const TensorField& field, const QuadricExtraction& balanced,
+                        FeatureMesh&& part, const FeatureRow& row, const FeatureMesh& mesh,
+                        std::vector<std::int64_t> open) {
+  QuadricCheck result;
+  result.name = row.name;
+  result.is_part = true;
+  result.quadrics = balanced;
+  result.quadrics.mesh = std::move(part);
+  Stopwatch watch;
+  result.comparison = compare_part(field, result.quadrics, mesh, open);
+  result.seconds = watch.lap();
   return result;
 }
 
@@ -77,6 +98,14 @@ QuadricChecks check_quadrics(const TensorField& field, const Extraction& extract
     checks.push_back(
         check(field, table.row(Feature::BalancedLinear), balanced.mesh, std::move(open), threads));
     checks.back().name = "balanced";
+    const QuadricExtraction quadrics = checks.back().quadrics;
+    BalancedParts parts = split_balanced(quadrics);
+    const auto add = [&](FeatureMesh&& part, Feature f) {
+      checks.push_back(check_part(field, quadrics, std::move(part), table.row(f),
+                                  extraction.mesh(f), open_cells(extraction, kBalanced)));
+    };
+    add(std::move(parts.linear), Feature::BalancedLinear);
+    add(std::move(parts.planar), Feature::BalancedPlanar);
   }
   for (const Feature f : reading_order(extraction.requested & table.level_sets()))
     checks.push_back(
@@ -114,18 +143,27 @@ Json quadrics_json(const TensorField& field, const QuadricChecks& checks) {
                     {"quadrics", topology_json(c.comparison.quadrics)},
                     {"certified", topology_json(c.comparison.mesh)},
                     {"time_s", c.seconds}};
+    if (!c.is_part) continue;
+    json[c.name]["curve_contacts"] = c.quadrics.curve_contacts.size();
+    json[c.name]["unsplit"] = c.quadrics.unsplit.size();
+    json[c.name]["unsplit_tets"] = listed(cells_of(field, c.quadrics.unsplit));
   }
   return json;
 }
 
 std::string quadrics_lines(const QuadricChecks& checks) {
   std::string lines;
-  for (const QuadricCheck& c : checks)
+  for (const QuadricCheck& c : checks) {
+    const std::string split =
+        c.is_part ? fmt::format(", {} at the curve, {} not split", c.quadrics.curve_contacts.size(),
+                                c.quadrics.unsplit.size())
+                  : "";
     fmt::format_to(std::back_inserter(lines),
-                   "quadrics of {}: {} tets compared, {} differ, {} left out ({} contacts){}\n",
+                   "quadrics of {}: {} tets compared, {} differ, {} left out ({} contacts{}){}\n",
                    c.name, c.comparison.compared, c.comparison.differing.size(),
-                   c.comparison.left_out, c.quadrics.contacts.size(),
+                   c.comparison.left_out, c.quadrics.contacts.size(), split,
                    c.comparison.agree() ? "" : "; THE TWO ROADS DISAGREE: please report it");
+  }
   return lines;
 }
 

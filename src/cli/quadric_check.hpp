@@ -15,10 +15,11 @@ namespace triplex::cli {
 
 /// One surface found again as quadrics of the input's tets, and held against the certified mesh.
 struct QuadricCheck {
-  std::string name;  ///< of the feature; `balanced` for linear and planar part together
+  std::string name;      ///< of the feature; `balanced` for linear and planar part together
+  bool is_part = false;  ///< the linear or planar part of `balanced`, where its split is known
   QuadricExtraction quadrics;
   QuadricComparison comparison;
-  double seconds = 0;  ///< of the second road
+  double seconds = 0;  ///< of the second road; of a part, of its comparison
 };
 using QuadricChecks = std::vector<QuadricCheck>;
 

@@ -1,46 +1,58 @@
 // SPDX-FileCopyrightText: The Triplex authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
 #include <stdexcept>
 #include <utility>
-
-#include <map>
 
 #include "triplex/quadric/quadric_extraction.hpp"
 
 namespace triplex {
 namespace {
 
-/// Cuts triangles along the straight lines on which a function, linear on each, is zero.
+/// Sorts triangles by their sides; those without are cut along the straight lines on which a
+/// function, linear on each, is zero. Points of the curve have q = 0.
 class Cutter {
  public:
-  explicit Cutter(const FeatureMesh& mesh) : mesh_(mesh) {
+  explicit Cutter(const QuadricExtraction& balanced)
+      : mesh_(balanced.mesh), sides_(balanced.parts) {
     for (FeatureMesh* part : {&parts_.linear, &parts_.planar}) {
-      part->points = mesh.points;
-      part->q = mesh.q;
+      part->points = mesh_.points;
+      part->q = mesh_.q;
     }
   }
 
   BalancedParts run() {
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) cut(t);
-    for (FeatureMesh* part : {&parts_.linear, &parts_.planar})
-      part->certified.assign(part->triangles.size(), 0);
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (sides_[t] != 0)
+        add(sides_[t] > 0, mesh_.triangles[t], t);
+      else
+        cut(t);
     return std::move(parts_);
   }
 
  private:
-  bool is_linear(std::uint32_t v) const { return mesh_.q[v] >= 0; }
+  int side(std::uint32_t v) const { return (mesh_.q[v] > 0) - (mesh_.q[v] < 0); }
 
   void cut(std::size_t t) {
     std::array<std::uint32_t, 3> v = mesh_.triangles[t];
-    const int count = is_linear(v[0]) + is_linear(v[1]) + is_linear(v[2]);
-    if (count == 0 || count == 3) return add(count == 3, v, t);
-    while (is_linear(v[0]) == is_linear(v[1]) || is_linear(v[0]) == is_linear(v[2]))
-      v = {v[1], v[2], v[0]};  // v[0] alone on its side
+    int positive = 0, negative = 0;
+    for (const std::uint32_t x : v) {
+      positive += side(x) > 0;
+      negative += side(x) < 0;
+    }
+    if (positive == 0 || negative == 0) return add(negative == 0, v, t);
+    const bool one_zero = positive + negative == 2;
+    const int alone = positive == 1 ? 1 : -1;  // if not: between a zero and one of the other side
+    while (one_zero ? side(v[0]) != 0 : side(v[0]) != alone) v = {v[1], v[2], v[0]};
+    if (one_zero) {
+      const std::uint32_t a = zero(v[1], v[2]);
+      add(side(v[1]) > 0, {v[0], v[1], a}, t);
+      return add(side(v[2]) > 0, {v[0], a, v[2]}, t);
+    }
     const std::uint32_t a = zero(v[0], v[1]), b = zero(v[0], v[2]);
-    const bool alone = is_linear(v[0]);
-    add(alone, {v[0], a, b}, t);
-    add(!alone, {a, v[1], v[2]}, t);
-    add(!alone, {a, v[2], b}, t);
+    add(alone > 0, {v[0], a, b}, t);
+    add(alone < 0, {a, v[1], v[2]}, t);
+    add(alone < 0, {a, v[2], b}, t);
   }
 
   std::uint32_t zero(std::uint32_t a, std::uint32_t b) {
@@ -65,19 +77,22 @@ class Cutter {
     if (!linear) std::swap(v[1], v[2]);  // the other way round in the book
     part.triangles.push_back(v);
     part.source_cell.push_back(mesh_.source_cell[t]);
+    part.certified.push_back(sides_[t] != 0);
   }
 
   const FeatureMesh& mesh_;
+  const std::vector<std::int8_t>& sides_;
   BalancedParts parts_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> zeros_;
 };
 
 }  // namespace
 
-BalancedParts split_balanced_approx(const QuadricExtraction& balanced) {
-  if (balanced.mesh.q.size() != balanced.mesh.points.size())
+BalancedParts split_balanced(const QuadricExtraction& balanced) {
+  const FeatureMesh& mesh = balanced.mesh;
+  if (mesh.q.size() != mesh.points.size() || balanced.parts.size() != mesh.triangles.size())
     throw std::invalid_argument("the quadric is not a balanced surface");
-  return Cutter(balanced.mesh).run();
+  return Cutter(balanced).run();
 }
 
 }  // namespace triplex

@@ -10,7 +10,9 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <map>
+#include <set>
 
+#include "patch_parts.hpp"
 #include "triplex/quadric/adjugate.hpp"
 
 namespace triplex::detail {
@@ -25,22 +27,49 @@ using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     CGAL::No_constraint_intersection_tag>;
 using Loops = std::vector<std::vector<PlanePoint>>;
 
-/// Even-odd, and not near a point of a loop: nearer than half the length of the edges there.
-bool is_sample(const PlanePoint& p, const Loops& loops) {
+/// The arc of a cut in the plane, from end to end. Charts follow a loop, so it is led there by one.
+std::vector<PlanePoint> flattened_arc(const PatchChart& chart, const std::vector<TetLoop>& loops,
+                                      const Loops& flat, const PatchCut& cut) {
+  if (cut.ends.empty()) return {};
+  TetLoop way(loops[0].begin(), loops[0].begin() + cut.ends[0] + 1);
+  way.insert(way.end(), cut.path.begin(), cut.path.end());
+  std::vector<PlanePoint> arc = chart.flattened(way);
+  arc.erase(arc.begin(), arc.begin() + cut.ends[0]);
+  arc.push_back(flat[0][cut.ends[1]]);
+  return arc;
+}
+
+/// Nearer to the middle of a segment than half its length, or little farther.
+bool is_near(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b) {
+  const double mx = (a[0] + b[0]) / 2 - p[0], my = (a[1] + b[1]) / 2 - p[1];
+  const double dx = b[0] - a[0], dy = b[1] - a[1];
+  return mx * mx + my * my < 0.4 * (dx * dx + dy * dy);
+}
+
+/// Even-odd, and not near a point of a loop or the arc: nearer than half the length of the edges
+/// there.
+bool is_sample(const PlanePoint& p, const Loops& loops, const std::vector<PlanePoint>& arc) {
   bool inside = false;
+  for (std::size_t k = 0; k + 1 < arc.size(); ++k)
+    if (is_near(p, arc[k], arc[k + 1])) return false;
   for (const auto& loop : loops)
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const PlanePoint &a = loop[k], &b = loop[(k + 1) % loop.size()];
-      const double mx = (a[0] + b[0]) / 2 - p[0], my = (a[1] + b[1]) / 2 - p[1];
-      const double dx = b[0] - a[0], dy = b[1] - a[1], length2 = dx * dx + dy * dy;
-      if (mx * mx + my * my < 0.4 * length2) return false;
+      if (is_near(p, a, b)) return false;
+      const double dx = b[0] - a[0], dy = b[1] - a[1];
       if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (p[1] - a[1]) / dy * dx) inside = !inside;
     }
   return inside;
 }
 
+using Edges = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
 /// Marks faces 1 inside, -1 outside, crossing loops from the infinite face on.
-void mark_region(Triangulation& t) {
+void mark_region(Triangulation& t, const Edges& arc) {
+  const auto is_loop = [&](Triangulation::Face_handle f, int i) {
+    return f->is_constrained(i) && !arc.contains(std::minmax(f->vertex((i + 1) % 3)->info(),
+                                                             f->vertex((i + 2) % 3)->info()));
+  };
   for (auto f : t.all_face_handles()) f->info() = 0;
   std::vector<Triangulation::Face_handle> todo = {t.infinite_face()}, across;
   for (std::int8_t side = -1; !todo.empty(); side = static_cast<std::int8_t>(-side)) {
@@ -52,7 +81,7 @@ void mark_region(Triangulation& t) {
       f->info() = side;
       for (int i = 0; i < 3; ++i) {
         if (f->neighbor(i)->info() != 0) continue;
-        (f->is_constrained(i) ? across : todo).push_back(f->neighbor(i));
+        (is_loop(f, i) ? across : todo).push_back(f->neighbor(i));
       }
     }
     todo.swap(across);
@@ -74,6 +103,31 @@ bool insert_loops(Triangulation& t, const Loops& loops) {
     if (t.number_of_vertices() != id) return false;  // two in one place
     for (std::size_t k = 0; k < handles.size(); ++k)
       t.insert_constraint(handles[k], handles[(k + 1) % handles.size()]);
+  }
+  return true;
+}
+
+/// The arc of a cut as constraints; its points are the first of the mesh's own.
+bool insert_arc(Triangulation& t, const PatchCut& cut, const std::vector<PlanePoint>& arc,
+                PatchMesh& mesh, Edges& edges) {
+  const std::vector<std::uint32_t> chain = cut.chain();
+  if (chain.empty()) return true;
+  std::map<std::uint32_t, Triangulation::Vertex_handle> ends;
+  for (const auto v : t.finite_vertex_handles()) ends[v->info()] = v;
+  auto before = ends[chain.front()];
+  for (std::size_t k = 1; k < chain.size(); ++k) {
+    auto v = ends[chain.back()];
+    if (k + 1 < chain.size()) {
+      if (!std::isfinite(arc[k][0]) || !std::isfinite(arc[k][1])) return false;
+      const auto size = t.number_of_vertices();
+      v = t.insert(Kernel::Point_2(arc[k][0], arc[k][1]));
+      if (t.number_of_vertices() == size) return false;  // two in one place
+      v->info() = chain[k];
+      mesh.inner.push_back(cut.path[k - 1]);
+    }
+    t.insert_constraint(before, v);
+    edges.insert(std::minmax(chain[k - 1], chain[k]));
+    before = v;
   }
   return true;
 }
@@ -160,12 +214,14 @@ void divide_chords(const PatchChart& chart, const Border& border, const std::vec
       mesh.inner.push_back(*x);
       mesh.triangles[t] = {a, middle, c};
       mesh.triangles.push_back({middle, b, c});
+      if (!mesh.parts.empty()) mesh.parts.push_back(mesh.parts[t]);
       for (std::size_t u = 0; u < mesh.triangles.size(); ++u)
         for (std::size_t j = 0; j < 3; ++j) {
           const std::array other = mesh.triangles[u];
           if (other[j] != b || other[(j + 1) % 3] != a) continue;
           mesh.triangles[u] = {b, middle, other[(j + 2) % 3]};
           mesh.triangles.push_back({middle, a, other[(j + 2) % 3]});
+          if (!mesh.parts.empty()) mesh.parts.push_back(mesh.parts[u]);
           break;
         }
       --t;  // look at what is left of this triangle again
@@ -176,33 +232,36 @@ void divide_chords(const PatchChart& chart, const Border& border, const std::vec
 }  // namespace
 
 std::optional<PatchMesh> triangulate_patch(const PatchChart& chart,
-                                           const std::vector<TetLoop>& loops) {
+                                           const std::vector<TetLoop>& loops, const PatchCut& cut) {
   Loops flat;
   std::uint32_t border = 0;
   for (const TetLoop& loop : loops) {
     flat.push_back(chart.flattened(loop));
     border += static_cast<std::uint32_t>(loop.size());
   }
+  const std::vector<PlanePoint> arc = flattened_arc(chart, loops, flat, cut);
   Triangulation t;
+  PatchMesh mesh;
+  Edges edges;
   try {
-    if (!insert_loops(t, flat)) return std::nullopt;
+    if (!insert_loops(t, flat) || !insert_arc(t, cut, arc, mesh, edges)) return std::nullopt;
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     return std::nullopt;  // two loops, or two edges of one, cross
   }
-  PatchMesh mesh;
   for (const PlanePoint& p : chart.samples(flat)) {
-    if (!is_sample(p, flat)) continue;
+    if (!is_sample(p, flat, arc)) continue;
     const auto x = chart.lifted(p);
     if (!x) continue;
     t.insert(Kernel::Point_2(p[0], p[1]))->info() =
         border + static_cast<std::uint32_t>(mesh.inner.size());
     mesh.inner.push_back(*x);
   }
-  mark_region(t);
+  mark_region(t, edges);
   for (const auto f : t.finite_face_handles())
     if (f->info() == 1)
       mesh.triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
   if (!is_one_region(mesh, loops)) return std::nullopt;
+  if (!cut.sides.empty() && !label_parts(cut, mesh)) return std::nullopt;
   divide_chords(chart, Border(loops, flat), loops, mesh);
   return mesh;
 }

@@ -17,6 +17,7 @@ using detail::CutMesh;
 using detail::CutTet;
 using detail::PatchMesh;
 using detail::SampledFaces;
+using detail::SpineCut;
 using detail::TetPatches;
 using detail::TetPoint;
 
@@ -39,8 +40,8 @@ void choose_patches(const TensorField& field, const QuadricSurface& surface, con
 }
 
 void mesh_all(const TensorField& field, const QuadricSurface& surface,
-              const QuadricOptions& options, const CutMesh& mesh, SampledFaces& faces,
-              std::vector<TetPatches>& patches) {
+              const QuadricOptions& options, const CutMesh& mesh, const SpineCut& spine,
+              SampledFaces& faces, std::vector<TetPatches>& patches) {
   std::vector<std::uint32_t> todo = faces.changed_tets();
   for (int round = 0; !todo.empty(); ++round) {
     const bool last = round == kRounds;
@@ -49,6 +50,7 @@ void mesh_all(const TensorField& field, const QuadricSurface& surface,
       if (patches[todo[n]].chosen.empty()) return;
       if (options.interrupted != nullptr && *options.interrupted) return;
       detail::mesh_patches(SimplexForm<4>(surface, field, tet.vertices), mesh, faces, tet,
+                           spine.tets.empty() ? detail::TetSplit::Whole : spine.tets[todo[n]],
                            options.samples, last, patches[todo[n]]);
     });
     stop_if(options.interrupted);
@@ -99,7 +101,8 @@ bool front_grows(const CutMesh& mesh, const CutTet& tet, const QuadricPatch& pat
 /// The triangles of one tet, over the points of faces and then its own.
 void append_tet(const TensorField& field, const QuadricSurface& surface, const CutMesh& cuts,
                 const SampledFaces& faces, const CutTet& tet, const TetPatches& patches,
-                FeatureMesh& mesh) {
+                QuadricExtraction& result) {
+  FeatureMesh& mesh = result.mesh;
   const bool should_grow = surface.kind == QuadricSurface::Kind::Magnitude;
   for (std::size_t n = 0; n < patches.chosen.size(); ++n) {
     const PatchMesh& patch = patches.meshes[n];
@@ -114,6 +117,7 @@ void append_tet(const TensorField& field, const QuadricSurface& surface, const C
       if (surface.kind == QuadricSurface::Kind::Balanced)
         mesh.q.push_back(detail::determinant_approx(field, tet.vertices, x));
     }
+    result.parts.insert(result.parts.end(), patch.parts.begin(), patch.parts.end());
     for (auto t : patch.triangles) {
       if (turn) std::swap(t[1], t[2]);
       mesh.triangles.push_back({numbers[t[0]], numbers[t[1]], numbers[t[2]]});
@@ -140,7 +144,7 @@ void compact(FeatureMesh& mesh) {
     for (std::uint32_t& v : t) v = number[v];
 }
 
-void summarize(const CutMesh& mesh, const std::vector<TetPatches>& patches,
+void summarize(const CutMesh& mesh, const SpineCut& spine, const std::vector<TetPatches>& patches,
                QuadricExtraction& result) {
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     const CutTet& tet = mesh.tets[t];
@@ -157,6 +161,10 @@ void summarize(const CutMesh& mesh, const std::vector<TetPatches>& patches,
         piece.euler += 2 - static_cast<std::int32_t>(loops);
       }
       if (!patches[t].complete) result.unmeshed.push_back(tet.tet);
+      if (!spine.tets.empty() && spine.tets[t] == detail::TetSplit::Contact)
+        result.curve_contacts.push_back({tet.tet, tet.type});
+      else if (!patches[t].split)
+        result.unsplit.push_back(tet.tet);
     } else {
       continue;
     }
@@ -178,15 +186,18 @@ QuadricExtraction extract_quadric(const TensorField& field, const FeatureRow& fe
     stop_if(options.interrupted);
     std::vector<TetPatches> patches(mesh.tets.size());
     choose_patches(field, *surface, mesh, patches);
-    SampledFaces faces(field, *surface, mesh, options.samples);
-    mesh_all(field, *surface, options, mesh, faces, patches);
-    faces.place(result.mesh, surface->kind == QuadricSurface::Kind::Balanced);
+    const bool balanced = surface->kind == QuadricSurface::Kind::Balanced;
+    const SpineCut spine = balanced ? detail::cut_by_spine(field, mesh) : SpineCut{};
+    stop_if(options.interrupted);
+    SampledFaces faces(field, *surface, mesh, spine, options.samples);
+    mesh_all(field, *surface, options, mesh, spine, faces, patches);
+    faces.place(result.mesh, balanced);
     for (std::size_t t = 0; t < patches.size(); ++t)
       if (!patches[t].meshes.empty())
-        append_tet(field, *surface, mesh, faces, mesh.tets[t], patches[t], result.mesh);
+        append_tet(field, *surface, mesh, faces, mesh.tets[t], patches[t], result);
     compact(result.mesh);
     result.mesh.certified.assign(result.mesh.triangles.size(), 1);
-    summarize(mesh, patches, result);
+    summarize(mesh, spine, patches, result);
   });
   return result;
 }

@@ -60,7 +60,8 @@ QuadricSteps quadric_steps(const TensorField& field, TetId tet, const FeatureRow
   if (!steps.transverse) return steps;
   const auto edges = detail::cuts_of<6>(mesh.edges, cut.edges);
   const auto approx = form_approx(form);
-  const detail::SampledFaces faces(one, *surface, mesh, samples);
+  const detail::SpineCut no_curve;
+  const detail::SampledFaces faces(one, *surface, mesh, no_curve, samples);
   for (const std::uint8_t n : detail::patches_of_feature(form, edges, cut.cut)) {
     const QuadricPatch& patch = cut.cut.patches[n];
     std::vector<TetLoop> loops;

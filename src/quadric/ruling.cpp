@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ruling.hpp"
 
+#include "surd.hpp"
+
 namespace triplex::detail {
 namespace {
 
@@ -18,12 +20,7 @@ class SurdRing {
   }
   static Number plus(const Number& a, const Number& b) { return {a.u + b.u, a.v + b.v}; }
   static Number scaled(const Exact& s, const Number& a) { return {s * a.u, s * a.v}; }
-  Sign sign_of(const Number& a) const {
-    const Sign su = sign(a.u), sv = sign(a.v);
-    if (su == Sign::Zero || su == sv) return sv == Sign::Zero ? su : sv;
-    if (sv == Sign::Zero) return su;
-    return su * sign(a.u * a.u - a.v * a.v * d_);  // opposite signs: the larger one wins
-  }
+  Sign sign_of(const Number& a) const { return sign_of_surd(a.u, a.v, d_); }
 
  private:
   Exact d_;

@@ -5,6 +5,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace triplex::detail {
 namespace {
@@ -19,16 +21,25 @@ FacePoint on_face_edge(const CutMesh& mesh, const CutMeshFace& face, EdgeRoot ro
   return x;
 }
 
+/// A number with the sign of a side, where that is known.
+double with_side(double x, std::int8_t side) {
+  if (side == 0) return x;
+  return std::copysign(std::fmax(std::fabs(x), std::numeric_limits<double>::min()), side);
+}
+
 }  // namespace
 
 SampledFaces::SampledFaces(const TensorField& field, const QuadricSurface& surface,
-                           const CutMesh& mesh, int samples)
+                           const CutMesh& mesh, const SpineCut& spine, int samples)
     : field_(&field),
       surface_(surface),
       mesh_(&mesh),
+      spine_(&spine),
       rate_(mesh.faces.size(), static_cast<std::uint16_t>(std::clamp(samples, 2, int{kMaxRate}))),
       changed_(mesh.faces.size(), 1),
       points_(mesh.faces.size()),
+      sides_(mesh.faces.size()),
+      first_of_arc_(mesh.faces.size()),
       first_of_edge_(mesh.edges.size() + 1),
       first_of_face_(mesh.faces.size() + 1) {
   for (std::size_t e = 0; e < mesh.edges.size(); ++e)
@@ -45,12 +56,46 @@ void SampledFaces::sample(std::uint32_t f) {
   const int rate = rate_[f];
   points_[f].clear();
   if (face.cut.oval) points_[f] = sample_oval_approx(form, 4 * rate);
+  sides_[f].clear();
   for (int n = 0; n < face.cut.arcs; ++n) {
-    const auto& [from, to] = face.cut.ends[static_cast<std::size_t>(n)];
-    const auto arc = sample_arc_approx(form, on_face_edge(*mesh_, face, from),
-                                       on_face_edge(*mesh_, face, to), rate);
-    points_[f].insert(points_[f].end(), arc.begin(), arc.end());
+    first_of_arc_[f][static_cast<std::size_t>(n)] = static_cast<std::uint16_t>(points_[f].size());
+    sample_arc(f, n, form);
+    first_of_arc_[f][static_cast<std::size_t>(n) + 1] =
+        static_cast<std::uint16_t>(points_[f].size());
   }
+}
+
+// From the begin to the first point of the curve, to the next, and to the end, each with its share
+// of the samples; between two points of the curve there is one at least, to have a side there.
+void SampledFaces::sample_arc(std::uint32_t f, int arc, const QuadraticForm<double, 3>& form) {
+  const CutMeshFace& face = mesh_->faces[f];
+  const auto& [from, to] = face.cut.ends[static_cast<std::size_t>(arc)];
+  const FaceSpine* spine =
+      spine_->faces.empty() || !spine_->faces[f].known ? nullptr : &spine_->faces[f];
+  std::int8_t side = 0;
+  if (spine != nullptr)
+    side = static_cast<std::int8_t>(spine_->edges[face.edges[from.edge]][from.root]);
+  FacePoint begin = on_face_edge(*mesh_, face, from);
+  double place = 0;
+  const auto lead = [&](const FacePoint& end, double next, int least) {
+    const int n = std::max(least, static_cast<int>(std::lround((next - place) * rate_[f])));
+    const auto samples = sample_arc_approx(form, begin, end, n);
+    points_[f].insert(points_[f].end(), samples.begin(), samples.end());
+    if (spine != nullptr) sides_[f].insert(sides_[f].end(), samples.size(), side);
+    begin = end;
+    place = next;
+  };
+  bool first = true;
+  if (spine != nullptr)
+    for (const SpinePoint& zero : spine->points) {
+      if (zero.arc != arc) continue;
+      lead(zero.x, zero.place, first ? 1 : 2);
+      points_[f].push_back(zero.x);
+      sides_[f].push_back(0);
+      side = static_cast<std::int8_t>(-side);
+      first = false;
+    }
+  lead(on_face_edge(*mesh_, face, to), 1, 1);
 }
 
 void SampledFaces::renumber() {
@@ -86,7 +131,7 @@ void SampledFaces::walk(const CutTet& tet, const QuadricLoop& loop, const Visit&
     TetPoint x{};
     for (std::size_t k = 0; k < 3; ++k)
       x[static_cast<std::size_t>(kTetFaces[static_cast<std::size_t>(f)][k])] = points_[face][n][k];
-    visit(first_of_face_[face] + n, x);
+    visit(first_of_face_[face] + n, x, sides_[face].empty() ? std::int8_t{0} : sides_[face][n]);
   };
   if (loop.is_oval()) {
     const auto n = static_cast<std::uint32_t>(points_[tet.faces[loop.oval_face]].size());
@@ -99,22 +144,33 @@ void SampledFaces::walk(const CutTet& tet, const QuadricLoop& loop, const Visit&
     TetPoint x{};
     x[static_cast<std::size_t>(kTetEdges[arc.start.edge][0])] = 1 - t;
     x[static_cast<std::size_t>(kTetEdges[arc.start.edge][1])] = t;
-    visit(first_of_edge_[edge] + arc.start.root, x);
-    const std::uint32_t inner = rate_[tet.faces[arc.face]] - 1u;
+    visit(first_of_edge_[edge] + arc.start.root, x, side_of(edge, arc.start.root));
+    const auto& first = first_of_arc_[tet.faces[arc.face]];
+    const std::uint32_t begin = first[arc.arc], inner = first[arc.arc + 1u] - begin;
     for (std::uint32_t k = 0; k < inner; ++k)
-      visit_face_point(arc.face, arc.arc * inner + (arc.reversed ? inner - 1 - k : k));
+      visit_face_point(arc.face, begin + (arc.reversed ? inner - 1 - k : k));
   }
 }
 
 TetLoop SampledFaces::points_of(const CutTet& tet, const QuadricLoop& loop) const {
   TetLoop points;
-  walk(tet, loop, [&](std::uint32_t, const TetPoint& x) { points.push_back(x); });
+  walk(tet, loop, [&](std::uint32_t, const TetPoint& x, std::int8_t) { points.push_back(x); });
   return points;
+}
+
+void SampledFaces::sides_of(const CutTet& tet, const QuadricLoop& loop,
+                            std::vector<std::int8_t>& to) const {
+  walk(tet, loop, [&](std::uint32_t, const TetPoint&, std::int8_t side) { to.push_back(side); });
+}
+
+std::int8_t SampledFaces::side_of(std::uint32_t edge, std::size_t root) const {
+  return spine_->edges.empty() ? std::int8_t{0}
+                               : static_cast<std::int8_t>(spine_->edges[edge][root]);
 }
 
 void SampledFaces::numbers_of(const CutTet& tet, const QuadricLoop& loop,
                               std::vector<std::uint32_t>& to) const {
-  walk(tet, loop, [&](std::uint32_t n, const TetPoint&) { to.push_back(n); });
+  walk(tet, loop, [&](std::uint32_t n, const TetPoint&, std::int8_t) { to.push_back(n); });
 }
 
 void SampledFaces::place(FeatureMesh& mesh, bool with_q) const {
@@ -126,7 +182,8 @@ void SampledFaces::place(FeatureMesh& mesh, bool with_q) const {
       const std::array<double, 2> x = {1 - edge.cut.place[k], edge.cut.place[k]};
       const std::size_t n = first_of_edge_[e] + k;
       mesh.points[n] = combination(*field_, edge.vertices, x);
-      if (with_q) mesh.q[n] = determinant_approx(*field_, edge.vertices, x);
+      if (!with_q) continue;
+      mesh.q[n] = with_side(determinant_approx(*field_, edge.vertices, x), side_of(e, k));
     }
   });
   tbb::parallel_for(std::size_t{0}, mesh_->faces.size(), [&](std::size_t f) {
@@ -134,7 +191,10 @@ void SampledFaces::place(FeatureMesh& mesh, bool with_q) const {
     for (std::size_t k = 0; k < points_[f].size(); ++k) {
       const std::size_t n = first_of_face_[f] + k;
       mesh.points[n] = combination(*field_, vertices, points_[f][k]);
-      if (with_q) mesh.q[n] = determinant_approx(*field_, vertices, points_[f][k]);
+      if (!with_q) continue;
+      mesh.q[n] = determinant_approx(*field_, vertices, points_[f][k]);
+      if (sides_[f].empty()) continue;
+      mesh.q[n] = sides_[f][k] == 0 ? 0 : with_side(mesh.q[n], sides_[f][k]);
     }
   });
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "border_regions.hpp"
+#include "patch_parts.hpp"
 
 namespace triplex::detail {
 namespace {
@@ -36,11 +37,19 @@ std::vector<TetPoint> holes_of(const QuadraticForm<double, 4>& form,
 
 std::optional<PatchMesh> mesh_patch(const QuadraticForm<double, 4>& form,
                                     const std::array<EdgeCut, 6>& edges, const TetCut& cut,
-                                    const QuadricPatch& patch, const std::vector<TetLoop>& loops) {
+                                    const QuadricPatch& patch, const std::vector<TetLoop>& loops,
+                                    const PatchCut& arc) {
   if (const auto chart = graph_chart(form, loops))
-    if (auto mesh = triangulate_patch(*chart, loops)) return mesh;
+    if (auto mesh = triangulate_patch(*chart, loops, arc)) return mesh;
   const auto chart = parameter_plane(form, edges, cut, patch, loops);
-  return chart ? triangulate_patch(*chart, loops) : std::nullopt;
+  return chart ? triangulate_patch(*chart, loops, arc) : std::nullopt;
+}
+
+/// The side of the whole tet, if it has one.
+std::int8_t side_of(TetSplit split) {
+  return split == TetSplit::Linear   ? std::int8_t{1}
+         : split == TetSplit::Planar ? std::int8_t{-1}
+                                     : std::int8_t{0};
 }
 
 /// Less than charts in doubles can tell apart, as at a vertex that the surface misses by rounding.
@@ -97,27 +106,36 @@ std::vector<std::uint8_t> patches_of_feature(const SimplexForm<4>& form,
 }
 
 void mesh_patches(const SimplexForm<4>& form, const CutMesh& mesh, const SampledFaces& faces,
-                  const CutTet& tet, int samples, bool last, TetPatches& patches) {
+                  const CutTet& tet, TetSplit split, int samples, bool last, TetPatches& patches) {
   const auto approx = form_approx(form);
   const auto edges = cuts_of<6>(mesh.edges, tet.edges);
-  patches.complete = true;
+  patches.complete = patches.split = true;
   patches.meshes.clear();
   for (const std::uint8_t n : patches.chosen) {
     const QuadricPatch& patch = tet.cut.patches[n];
     PatchMesh& result = patches.meshes.emplace_back();
-    if (patch.loops.empty()) {
-      result = triangulate_ellipsoid(approx, samples);
-      continue;
-    }
     std::vector<TetLoop> loops;
     for (const std::uint8_t l : patch.loops)
       loops.push_back(faces.points_of(tet, tet.cut.loops[l]));
-    if (auto found = mesh_patch(approx, edges, tet.cut, patch, loops))
-      result = std::move(*found);
-    else if (loops.size() == 1 && (last || is_tiny(loops[0])))
-      result = triangulate_fan(loops[0]);
-    else
-      patches.complete = false;
+    std::optional<PatchMesh> found;
+    if (loops.empty()) found = triangulate_ellipsoid(approx, samples);
+    if (split == TetSplit::Proven) {
+      PatchCut arc = cut_of_patch(form.field(), tet, patch, faces, loops, samples);
+      found = mesh_patch(approx, edges, tet.cut, patch, loops, arc);
+      while (!found && !arc.path.empty()) {  // coarser arcs may not cross the coarse loop
+        arc.path.resize(arc.path.size() / 2);
+        found = mesh_patch(approx, edges, tet.cut, patch, loops, arc);
+      }
+    }
+    if (!found) found = mesh_patch(approx, edges, tet.cut, patch, loops, {});
+    if (!found && loops.size() == 1 && (last || is_tiny(loops[0])))
+      found = triangulate_fan(loops[0]);
+    patches.complete = patches.complete && found;
+    if (!found) continue;
+    result = std::move(*found);
+    if (split == TetSplit::Whole || !result.parts.empty()) continue;
+    result.parts.assign(result.triangles.size(), side_of(split));
+    patches.split = patches.split && side_of(split) != 0;
   }
 }
 

@@ -42,6 +42,14 @@ QuadricComparison compare_quadrics(const TensorField& field, const QuadricExtrac
   return r;
 }
 
+QuadricComparison compare_part(const TensorField& field, const QuadricExtraction& quadrics,
+                               const FeatureMesh& mesh, std::span<const std::int64_t> open) {
+  std::vector<std::int64_t> cells(open.begin(), open.end());
+  for (const QuadricContact& c : quadrics.curve_contacts) cells.push_back(field.source_cell(c.tet));
+  for (const TetId t : quadrics.unsplit) cells.push_back(field.source_cell(t));
+  return compare_quadrics(field, quadrics, mesh, cells);
+}
+
 MergedMesh merged(const FeatureMesh& a, const FeatureMesh& b) {
   MergedMesh result;
   FeatureMesh& r = result.mesh;

@@ -34,7 +34,7 @@ TEST(VerifyQuadrics, AgreementIsReported) {
   const json report = json::parse(file_content(out / "report.json"));
   EXPECT_EQ(outcome.code, report["certified"].get<bool>() ? 0 : 2);
   EXPECT_TRUE(report["options"]["verify_quadrics"].get<bool>());
-  EXPECT_EQ(report["quadrics"].size(), 2u);
+  EXPECT_EQ(report["quadrics"].size(), 4u);
   const json& balanced = report["quadrics"]["balanced"];
   EXPECT_TRUE(balanced["agree"].get<bool>());
   EXPECT_GT(balanced["compared"].get<int>(), 1000);
@@ -43,6 +43,15 @@ TEST(VerifyQuadrics, AgreementIsReported) {
   EXPECT_EQ(balanced["unmeshed"].get<int>(), 0);
   EXPECT_EQ(balanced["contacts"].get<std::size_t>(), balanced["contact_tets"].size());
   EXPECT_GT(balanced["types"]["one-sheet-hyperboloid"].get<int>(), 0);
+  for (const char* name : {"balanced-linear", "balanced-planar"}) {
+    EXPECT_THAT(outcome.out, HasSubstr(std::string("quadrics of ") + name + ": "));
+    const json& part = report["quadrics"][name];
+    EXPECT_TRUE(part["agree"].get<bool>());
+    EXPECT_GT(part["compared"].get<int>(), 500);
+    EXPECT_EQ(part["unsplit"].get<std::size_t>(), part["unsplit_tets"].size());
+    EXPECT_GE(part["left_out"].get<int>(),
+              part["unsplit"].get<int>() + part["curve_contacts"].get<int>());
+  }
   EXPECT_GE(report["timing_s"]["quadrics"].get<double>(), balanced["time_s"].get<double>());
 }
 

@@ -65,6 +65,18 @@ std::uint64_t compare_roads(const TensorField& field, const FeatureTable& table)
     EXPECT_EQ(c.quadrics.nonmanifold_edges, 0u) << row.name;
     EXPECT_EQ(c.quadrics.orientation_conflicts, 0u) << row.name;
     compared += c.compared;
+    if (row.feature != Feature::BalancedLinear) return;
+    open = open_cells(certified, features);
+    const BalancedParts parts = split_balanced(quadrics);
+    for (const Feature f : {Feature::BalancedLinear, Feature::BalancedPlanar}) {
+      QuadricExtraction part = quadrics;
+      part.mesh = f == Feature::BalancedLinear ? parts.linear : parts.planar;
+      const QuadricComparison p = compare_part(field, part, certified.mesh(f), open);
+      EXPECT_TRUE(p.agree()) << table.row(f).name << ": " << p.differing.size() << " of "
+                             << p.compared << " differ, " << p.left_out << " left out";
+      EXPECT_EQ(p.quadrics.nonmanifold_edges, 0u) << table.row(f).name;
+      EXPECT_EQ(p.quadrics.orientation_conflicts, 0u) << table.row(f).name;
+    }
   };
   const MergedMesh balanced =
       merged(certified.mesh(Feature::BalancedLinear), certified.mesh(Feature::BalancedPlanar));
@@ -126,6 +138,69 @@ TEST(Quadrics, TheSameForAnyNumberOfThreads) {
   EXPECT_EQ(a.mesh.q, b.mesh.q);
   EXPECT_EQ(a.pieces, b.pieces);
   EXPECT_EQ(a.contacts, b.contacts);
+  EXPECT_EQ(a.parts, b.parts);
+  EXPECT_EQ(a.unsplit, b.unsplit);
+}
+
+// q in doubles at points inside of patches knows nothing of arcs; near the curve, which is drawn as
+// a polyline, points on the other side of it have small q.
+TEST(Quadrics, PartsAreOnTheirSides) {
+  GridOptions grid;
+  grid.n = 6;
+  grid.jitter = 0.1;
+  for (const TensorField& field :
+       {generate_abc(grid), generate_rayleigh_benard(grid), generate_random_linear(grid)}) {
+    QuadricOptions options;
+    options.samples = 8;
+    const QuadricExtraction e =
+        extract_quadric(field, standard_features().row(Feature::BalancedLinear), options);
+    ASSERT_EQ(e.parts.size(), e.mesh.triangles.size());
+    std::array<std::size_t, 3> triangles{};
+    double right = 0, wrong = 0;
+    for (std::size_t t = 0; t < e.parts.size(); ++t) {
+      ++triangles[static_cast<std::size_t>(e.parts[t] + 1)];
+      for (const std::uint32_t v : e.mesh.triangles[t])
+        (e.mesh.q[v] * e.parts[t] >= 0 ? right : wrong) += std::fabs(e.mesh.q[v] * e.parts[t]);
+    }
+    EXPECT_GT(triangles[0], 1000u);
+    EXPECT_GT(triangles[2], 1000u);
+    EXPECT_LT(5 * triangles[1], triangles[0] + triangles[2]);
+    EXPECT_LT(1000 * wrong, right);
+  }
+}
+
+// The curve is a seam: an edge of one part alone lies on the border of the mesh or is one of the
+// other part's.
+TEST(Quadrics, PartsMeetAlongTheCurve) {
+  GridOptions grid;
+  grid.n = 6;
+  grid.jitter = 0.1;
+  const QuadricExtraction e =
+      extract_quadric(generate_abc(grid), standard_features().row(Feature::BalancedLinear));
+  const BalancedParts parts = split_balanced(e);
+  FeatureMesh both = parts.linear;
+  both.triangles.insert(both.triangles.end(), parts.planar.triangles.begin(),
+                        parts.planar.triangles.end());
+  const SurfaceTopology whole = surface_topology(e.mesh.triangles, e.mesh.points.size()),
+                        sum = surface_topology(both.triangles, both.points.size());
+  EXPECT_EQ(sum.euler, whole.euler);
+  EXPECT_EQ(sum.components, whole.components);
+  EXPECT_EQ(sum.boundary_loops, whole.boundary_loops);
+  EXPECT_EQ(sum.nonmanifold_edges, 0u);
+}
+
+// Parts that are exchanged do not pass for those of the certified road.
+TEST(Roads, ExchangedPartsDiffer) {
+  const TensorField field = abc(8);
+  ExtractionOptions options;
+  options.features = bit(Feature::BalancedLinear) | bit(Feature::BalancedPlanar);
+  const Extraction certified = extract(field, options);
+  QuadricExtraction part = extract_quadric(field, standard_features().row(Feature::BalancedLinear));
+  part.mesh = split_balanced(part).planar;
+  const QuadricComparison c = compare_part(field, part, certified.mesh(Feature::BalancedLinear),
+                                           open_cells(certified, options.features));
+  EXPECT_FALSE(c.agree());
+  EXPECT_GT(c.differing.size(), c.compared / 2);
 }
 
 TEST(Quadrics, ScaledTensorsGiveTheSameMesh) {
@@ -179,7 +254,7 @@ TEST(Quadrics, PartsOfTheBalancedSurface) {
   const TensorField field = abc(8);
   const QuadricExtraction e =
       extract_quadric(field, standard_features().row(Feature::BalancedLinear));
-  const BalancedParts parts = split_balanced_approx(e);
+  const BalancedParts parts = split_balanced(e);
   EXPECT_EQ(parts.linear.points, parts.planar.points);
   ExtractionOptions options;
   options.features = bit(Feature::BalancedLinear) | bit(Feature::BalancedPlanar);
@@ -241,7 +316,7 @@ TEST(Quadrics, OfAnotherFeatureAreRefused) {
   const QuadricExtraction e =
       extract_quadric(generate_lorenz(grid), table.row(table.add_magnitude(40)));
   ASSERT_FALSE(e.mesh.points.empty());
-  EXPECT_THROW(split_balanced_approx(e), std::invalid_argument);
+  EXPECT_THROW(split_balanced(e), std::invalid_argument);
 }
 
 }  // namespace

@@ -49,6 +49,13 @@ struct QuadricExtraction {
   std::vector<QuadricContact> contacts;  ///< not meshed
   /// Tets of `pieces` with a patch of several loops that no chart could hold: not meshed.
   std::vector<TetId> unmeshed;
+  /// Of the balanced surface, per triangle: 1 linear (q > 0), -1 planar (q < 0), proven; 0 where
+  /// the split is not. Between triangles of different sides runs the triple degenerate curve.
+  std::vector<std::int8_t> parts;
+  /// Tets of `pieces` in which the triple degenerate curve meets an edge: not split.
+  std::vector<QuadricContact> curve_contacts;
+  /// Other tets of `pieces` whose split is not proven, or is and no chart holds it.
+  std::vector<TetId> unsplit;
   /// Over pieces and contacts.
   std::array<std::uint64_t, kQuadricTypes> types{};
 };
@@ -64,14 +71,14 @@ struct QuadricExtraction {
 QuadricExtraction extract_quadric(const TensorField& field, const FeatureRow& feature,
                                   const QuadricOptions& options = {});
 
-/// The balanced surface cut into its linear (q > 0) and planar (q < 0) part. Not certified: the
-/// signs are those of q in doubles at the points, and triangles on which it changes sign are cut
-/// along a straight line, so the triple degenerate curve is as coarse as the mesh, and what of it
-/// lies within a triangle is missed. Both parts have one list of points and meet along the cuts.
-/// \throw std::invalid_argument for another surface.
+/// The balanced surface cut into its linear (q > 0) and planar (q < 0) part: along the triple
+/// degenerate curve, which is a constraint of the triangulation, where the split is proven, and
+/// there `certified` is 1. In `curve_contacts` and `unsplit` triangles are cut along straight lines
+/// where q, in doubles at their points, changes sign. Both parts have one list of points and meet
+/// along the cuts. \throw std::invalid_argument for another surface.
 struct BalancedParts {
   FeatureMesh linear, planar;
 };
-BalancedParts split_balanced_approx(const QuadricExtraction& balanced);
+BalancedParts split_balanced(const QuadricExtraction& balanced);
 
 }  // namespace triplex

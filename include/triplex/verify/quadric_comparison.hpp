@@ -34,6 +34,11 @@ struct QuadricComparison {
 QuadricComparison compare_quadrics(const TensorField& field, const QuadricExtraction& quadrics,
                                    const FeatureMesh& mesh, std::span<const std::int64_t> open);
 
+/// The same for the linear or the planar part of a balanced surface: `quadrics` with the part as
+/// its mesh. Cells in which the curve meets an edge or the split is not proven are left out, too.
+QuadricComparison compare_part(const TensorField& field, const QuadricExtraction& quadrics,
+                               const FeatureMesh& mesh, std::span<const std::int64_t> open);
+
 struct MergedMesh {
   FeatureMesh mesh;                     ///< points, triangles, source_cell and certified only
   std::vector<std::int64_t> ambiguous;  ///< cells, ascending, where points could not be paired
