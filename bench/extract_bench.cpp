@@ -53,7 +53,8 @@ void certify_cells(benchmark::State& state) {
     SignStages stages;
     for (const Leaf& leaf : complex.leaves) {
       benchmark::DoNotOptimize(certify_cell(complex.field, leaf.vertices, complex.sectors,
-                                            standard_features(), kStandardSet, stages));
+                                            standard_features(), kStandardSet, nullptr,
+                                            stages));
     }
   }
   count_tets(state, complex.leaves.size());

@@ -172,10 +172,11 @@ class CellCheck {
  public:
   CellCheck(const RefinableField& field, const std::array<VertexId, 4>& vertices,
             SectorTable sectors, const FeatureTable& table, FeatureSet requested,
-            SignStages& stages)
+            std::vector<DoubleCrossing>* stacks, SignStages& stages)
       : vertices_(vertices),
         sectors_(sectors),
         table_(table),
+        stacks_(stacks),
         stages_(stages),
         cell_(stages, field, vertices) {
     possible_ = possible_features(cell_, table, requested, stages);
@@ -201,12 +202,18 @@ class CellCheck {
     check(Obstacle::Cell, cell_, kWhole);
     if (failed_ & ~kSpineSheets) try_discriminants();
     if (possible_ == 0) return;
-    for (const auto& face : kFaces) check_face(face);
-    for (const auto& edge : kEdges) {
-      SignedSimplex<2> simplex(stages_, *cell_, edge);
-      check(Obstacle::Edge, simplex, edge);
+    const SheetSet failed_in_cell = failed_;
+    std::array<SheetSet, 4> failed_on_face{};
+    std::array<SheetSet, 6> failed_on_edge{};
+    for (std::size_t f = 0; f < kFaces.size(); ++f) failed_on_face[f] = check_face(kFaces[f]);
+    for (std::size_t e = 0; e < kEdges.size(); ++e) {
+      SignedSimplex<2> simplex(stages_, *cell_, kEdges[e]);
+      failed_on_edge[e] = check(Obstacle::Edge, simplex, kEdges[e]);
     }
-    if (has_spine_) check_spine_in_cell();
+    if (has_spine_)
+      check_spine_in_cell();
+    else if (stacks_)
+      try_stacked_sheets(failed_in_cell, failed_on_face, failed_on_edge);
     conclude();
   }
 
@@ -265,12 +272,33 @@ class CellCheck {
     return sheets;
   }
 
-  void check_face(const std::array<int, 3>& local) {
+  /// The degenerate pages may have several discs in the tet, and two crossings on an edge.
+  void try_stacked_sheets(SheetSet failed_in_cell, const std::array<SheetSet, 4>& failed_on_face,
+                          const std::array<SheetSet, 6>& failed_on_edge) {
+    for (const Feature page : {Feature::DegenerateLinear, Feature::DegeneratePlanar}) {
+      const SheetSet sheet = sheet_bit(table_.sheet_number(page));
+      if (!(failed_ & sheet) || (failed_ & kSpineSheets)) continue;
+      OneSheet known{.cell = !(failed_in_cell & sheet)};
+      for (std::size_t f = 0; f < known.faces.size(); ++f)
+        known.faces[f] = !(failed_on_face[f] & sheet);
+      for (std::size_t e = 0; e < known.edges.size(); ++e) {
+        known.edges[e] = !(failed_on_edge[e] & sheet);
+        known.crossed[e] = contains(pages_on(kEdges[e]), page);
+      }
+      const auto doubles = certify_stacked_sheets(*cell_, page, known, stages_);
+      if (!doubles) continue;
+      failed_ &= ~sheet;
+      stacks_->insert(stacks_->end(), doubles->begin(), doubles->end());
+    }
+  }
+
+  SheetSet check_face(const std::array<int, 3>& local) {
     SignedSimplex<3> face(stages_, *cell_, local);
-    check(Obstacle::Face, face, local);
-    if (!has_spine_ || face.lacks_spine() || certifies_injective(*face, stages_)) return;
+    const SheetSet failed = check(Obstacle::Face, face, local);
+    if (!has_spine_ || face.lacks_spine() || certifies_injective(*face, stages_)) return failed;
     spine_failed_ = true;
     block(Obstacle::SpineFace, *face, local, {.p = true, .q = true});
+    return failed;
   }
 
   void check_spine_in_cell() {
@@ -297,18 +325,20 @@ class CellCheck {
   }
   Sector sector(VertexId v) const { return static_cast<Sector>(sectors_[triplex::index(v)]); }
 
+  /// The sheets that are not certified on a simplex.
   template <int N>
-  void check(Obstacle obstacle, SignedSimplex<N>& simplex, const Local<N>& local) {
+  SheetSet check(Obstacle obstacle, SignedSimplex<N>& simplex, const Local<N>& local) {
     SheetSet failed = 0;
     for (std::size_t s = 0; s < table_.sheets().size(); ++s)
       if ((needed_ >> s & 1u) && !simplex.certifies(table_.sheets()[s], has_spine_))
         failed |= sheet_bit(static_cast<int>(s));
-    if (failed == 0) return;
+    if (failed == 0) return failed;
     failed_ |= failed;
     block(obstacle, *simplex, local,
           {.p = (failed & sheet_bit(kBalancedSheet)) != 0,
            .q = (failed & sheet_bit(kNeutralSheet)) != 0,
            .discriminants = maps_of(failed).span()});
+    return failed;
   }
 
   template <int N>
@@ -337,6 +367,15 @@ class CellCheck {
     if (result_.open == 0) result_.obstacle = Obstacle::None;
   }
 
+  /// The pages that the rotation along an edge crosses; none if it is open.
+  FeatureSet pages_on(const std::array<int, 2>& edge) {
+    const VertexId a = vertices_[edge[0]], b = vertices_[edge[1]];
+    if (sector(a) == sector(b)) return 0;
+    const auto rotation =
+        rotation_along((*cell_).field(), a, b, sector(a), sector(b), table_, stages_);
+    return rotation ? pages_crossed(table_, sector(a), *rotation) : 0;
+  }
+
   /// Extraction reads pages off the rotations. Where no page of interest is left, nothing above
   /// proves these; a rotation across an excluded page then shows that it is the wrong one, and the
   /// edge must be cut. (Never so when all features are requested, as p or q is then certified.)
@@ -361,6 +400,7 @@ class CellCheck {
   const std::array<VertexId, 4>& vertices_;
   SectorTable sectors_;
   const FeatureTable& table_;
+  std::vector<DoubleCrossing>* const stacks_;
   SignStages& stages_;
   SignedSimplex<4> cell_;
   FeatureSet possible_ = 0;
@@ -374,7 +414,7 @@ class CellCheck {
 
 CellCertificate certify_cell(const RefinableField& field, const std::array<VertexId, 4>& vertices,
                              SectorTable sectors, const FeatureTable& table, FeatureSet requested,
-                             SignStages& stages) {
+                             std::vector<DoubleCrossing>* stacks, SignStages& stages) {
   for (const VertexId v : vertices) {
     if (sectors[index(v)] != kOpenSector) continue;
     CellCertificate open;
@@ -382,7 +422,7 @@ CellCertificate certify_cell(const RefinableField& field, const std::array<Verte
     open.obstacle = obstacle_at(field, v);
     return open;
   }
-  return CellCheck(field, vertices, sectors, table, requested, stages).run();
+  return CellCheck(field, vertices, sectors, table, requested, stacks, stages).run();
 }
 
 }  // namespace triplex

@@ -18,9 +18,10 @@ constexpr std::array<std::array<int, 4>, 4> kEdgeNumber = {
 constexpr std::array<std::uint8_t, 6> kFacesOfEdge = {0b1100, 0b1010, 0b0110,
                                                       0b1001, 0b0101, 0b0011};
 constexpr int kEdges = 6, kFacesOfCell = 4;
-constexpr int kNodes =
-    kEdges + kFacesOfCell;  // per surface: a crossing per edge, a spine point per face
-constexpr int spine_node(int face) { return kEdges + face; }
+// Per surface: a crossing per edge, the second crossings, a spine point per face.
+constexpr int kCrossings = 2 * kEdges, kNodes = kCrossings + kFacesOfCell;
+constexpr int second_node(int edge) { return kEdges + edge; }
+constexpr int spine_node(int face) { return kCrossings + face; }
 
 /// Sorts the first `count` of the three edges of a face.
 void sort_edges(std::array<int, 3>& edges, int count) {
@@ -31,11 +32,12 @@ void sort_edges(std::array<int, 3>& edges, int count) {
 
 class CellTracer {
  public:
-  CellTracer(const Leaf& leaf, const EdgeCrossings& crossings, const FaceSpinePoints& spine_points)
-      : leaf_(leaf), crossings_(crossings) {
+  CellTracer(const Leaf& leaf, const EdgeCrossings& crossings, const FaceSpinePoints& spine_points,
+             const StackedFaces& stacks)
+      : leaf_(leaf), crossings_(crossings), stacks_(stacks) {
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j) {
-        if (crossings.labels().agree(leaf.vertices[i], leaf.vertices[j])) continue;
+        if (!crossings.labels().crossed(leaf.vertices[i], leaf.vertices[j])) continue;
         const CrossedEdge* edge = crossings.find(leaf.vertices[i], leaf.vertices[j]);
         edges_[kEdgeNumber[i][j]] = edge;
         if (edge != nullptr) present_ |= crossings.features_on(*edge);
@@ -86,6 +88,7 @@ class CellTracer {
 
   /// The arcs of a surface on one face, as successors along the oriented boundary of the patch.
   void trace_face(int face, Feature feature, std::array<int, kNodes>& next) const {
+    if (!stacks_.empty() && trace_stacked_face(face, feature, next)) return;
     const auto local = outward(face);
     std::array<int, 3> entering{},
         leaving{};  // edges where the boundary enters the far side, leaves it
@@ -95,7 +98,10 @@ class CellTracer {
       const int e = kEdgeNumber[a][b];
       if (edges_[e] == nullptr || crossing(e, feature) < 0) continue;
       const bool ascends = crossings_.ascends(*edges_[e], feature) == (a < b);
-      (ascends ? entering[entries++] : leaving[exits++]) = e;
+      if (contains(edges_[e]->doubles, feature))  // not proven: joined to each other
+        next[ascends ? second_node(e) : e] = ascends ? e : second_node(e);
+      else
+        (ascends ? entering[entries++] : leaving[exits++]) = e;
     }
     // Edge numbers ascend with the vertices, so both tets at a face pair the same crossings.
     sort_edges(entering, entries);
@@ -104,6 +110,35 @@ class CellTracer {
     for (int n = 0; n < paired; ++n) next[leaving[n]] = entering[n];
     if (entries > paired) next[spine_node(face)] = entering[paired];
     if (exits > paired) next[leaving[paired]] = spine_node(face);
+  }
+
+  /// The same where a pairing is proven; false if none is.
+  bool trace_stacked_face(int face, Feature feature, std::array<int, kNodes>& next) const {
+    std::array<int, 3> corners{};  // ascending
+    std::array<VertexId, 3> key;
+    for (int i = 0, k = 0; i < 4; ++i)
+      if (i != face) corners[k] = i, key[k++] = leaf_.vertices[i];
+    const FacePairing* pairing = stacks_.find(key, feature);
+    if (pairing == nullptr) return false;
+    const auto node = [&](int number) {  // of the face's numbers of crossings
+      const auto& [a, b] = kEdgesOfFace[number / 2];
+      const int e = kEdgeNumber[corners[a]][corners[b]];
+      return number % 2 == 0 ? e : second_node(e);
+    };
+    const auto local = outward(face);
+    for (int i = 0; i < 3; ++i) {
+      const int a = local[i], b = local[(i + 1) % 3];
+      const int e = kEdgeNumber[a][b];
+      if (edges_[e] == nullptr || crossing(e, feature) < 0) continue;
+      const bool ascends = crossings_.ascends(*edges_[e], feature) == (a < b);
+      for (int number = 0; number < 6; ++number) {
+        const int here = node(number);
+        if ((here != e && here != second_node(e)) || (*pairing)[number] < 0) continue;
+        const bool leaves = ascends == (here == second_node(e));
+        if (leaves) next[here] = node((*pairing)[number]);
+      }
+    }
+    return true;
   }
 
   void add_loops(Feature feature, std::vector<PatchLoop>& loops) const {
@@ -120,7 +155,7 @@ class CellTracer {
       int node = start;
       while (node >= 0 && next[node] >= 0) {
         loop.vertices[loop.size++] =
-            node < kEdges ? crossing_vertex(node, feature) : spine_vertex(node - kEdges);
+            node < kCrossings ? crossing_vertex(node, feature) : spine_vertex(node - kCrossings);
         node = std::exchange(next[node], -1);
       }
       if (loop.size >= 3) loops.push_back(loop);
@@ -128,8 +163,9 @@ class CellTracer {
   }
 
   int crossing(int e, Feature feature) const { return crossings_.crossing_of(*edges_[e], feature); }
-  PatchVertex crossing_vertex(int e, Feature feature) const {
-    return {static_cast<std::uint32_t>(crossing(e, feature)), false, kFacesOfEdge[e]};
+  PatchVertex crossing_vertex(int node, Feature feature) const {
+    const int e = node % kEdges, second = node / kEdges;
+    return {static_cast<std::uint32_t>(crossing(e, feature) + second), false, kFacesOfEdge[e]};
   }
   PatchVertex spine_vertex(int face) const {
     return {static_cast<std::uint32_t>(spine_number_[face]), true,
@@ -138,6 +174,7 @@ class CellTracer {
 
   const Leaf& leaf_;
   const EdgeCrossings& crossings_;
+  const StackedFaces& stacks_;
   std::array<const CrossedEdge*, kEdges> edges_{};
   FeatureSet present_ = 0;
   std::array<int, kFacesOfCell> spine_number_{};
@@ -148,10 +185,11 @@ class CellTracer {
 }  // namespace
 
 void patches_of(const Leaf& leaf, const EdgeCrossings& crossings,
-                const FaceSpinePoints& spine_points, FeatureSet features, CellPatches& patches) {
+                const FaceSpinePoints& spine_points, const StackedFaces& stacks,
+                FeatureSet features, CellPatches& patches) {
   patches.loops.clear();
   patches.spine.clear();
-  CellTracer(leaf, crossings, spine_points).run(features, patches);
+  CellTracer(leaf, crossings, spine_points, stacks).run(features, patches);
 }
 
 }  // namespace triplex

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "face_arcs.hpp"
+#include "stacked_faces.hpp"
 
 namespace triplex {
 
@@ -18,9 +19,9 @@ struct PatchVertex {
 };
 
 /// The oriented boundary of one patch of a surface in a tet, normal towards growing angle of (p,
-/// q), or out of the convex set. At most one vertex per edge and per face of the tet.
+/// q), or out of the convex set. At most two vertices per edge and one per face of the tet.
 struct PatchLoop {
-  static constexpr std::size_t kMost = 6 + 4;
+  static constexpr std::size_t kMost = 2 * 6 + 4;
   Feature feature{};
   std::array<PatchVertex, kMost> vertices;
   std::size_t size = 0;
@@ -37,9 +38,11 @@ struct CellPatches {
 /// The patches of a tet, by combinatorics alone: on each face an arc of a surface joins the
 /// crossing that leaves its inner side to the one that enters it, or ends at the face's spine
 /// point; arcs chain to loops over the faces; arcs of the spine join the faces where it enters and
-/// leaves. Guarantee: neighbouring tets make the same arcs on their common face, certified or not,
-/// so the union is watertight. Source: proofs/cell.md.
+/// leaves; where an edge is crossed twice, `stacks` says what arcs join. Guarantee: neighbouring
+/// tets make the same arcs on their common face, certified or not, so the union is watertight.
+/// Source: proofs/cell.md.
 void patches_of(const Leaf& leaf, const EdgeCrossings& crossings,
-                const FaceSpinePoints& spine_points, FeatureSet features, CellPatches& patches);
+                const FaceSpinePoints& spine_points, const StackedFaces& stacks,
+                FeatureSet features, CellPatches& patches);
 
 }  // namespace triplex

@@ -35,7 +35,7 @@ CellCutter::CellCutter(const RefinableField& field, const EdgeCrossings& crossin
 
 void CellCutter::cut(const Leaf& leaf, CutCell& cell) {
   cell.pieces.clear();
-  patches_of(leaf, crossings_, spine_points_, pages_, patches_);
+  patches_of(leaf, crossings_, spine_points_, no_stacks_, pages_, patches_);
   for (int face = 0; face < 4; ++face) cut_face(leaf, face, cell.pieces);
   for (const PatchLoop& loop : patches_.loops) add_patch(leaf, loop, cell.pieces);
   join_pieces(cell);

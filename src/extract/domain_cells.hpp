@@ -55,6 +55,7 @@ class CellCutter {
   const RefinableField& field_;
   const EdgeCrossings& crossings_;
   const FaceSpinePoints& spine_points_;
+  const StackedFaces no_stacks_;
   const PointRanges ranges_;
   FeatureSet pages_ = 0;
   CellPatches patches_;

@@ -13,6 +13,7 @@
 #include "edge_root.hpp"
 #include "edge_table.hpp"
 #include "level_root.hpp"
+#include "triplex/certify/degenerate_roots.hpp"
 #include "triplex/certify/edge_side.hpp"
 
 namespace triplex {
@@ -78,7 +79,8 @@ CrossedEdge EdgeCrossings::classify(const RefinableField& field,
   return {.ends = ends,
           .rotation = static_cast<std::int8_t>(rotation.value_or(turn)),
           .open = !rotation,
-          .levels = labels_.inside_of(a) ^ labels_.inside_of(b)};
+          .levels = labels_.inside_of(a) ^ labels_.inside_of(b),
+          .doubles = labels_.doubles_on(ends)};
 }
 
 /// The degenerate page of a node at an end, in no plane that it might cross elsewhere.
@@ -90,16 +92,20 @@ bool EdgeCrossings::crosses_at_node(const Simplex<2>& edge, Feature page) const 
                                                                      : Feature::DegeneratePlanar);
 }
 
+void EdgeCrossings::set_crossing(const RefinableField& field, const Simplex<2>& edge,
+                                 Feature feature, const EdgeRoot& root, Crossing& crossing) const {
+  const Point a = field.position(edge.vertices()[0]), b = field.position(edge.vertices()[1]);
+  const auto [p, q] = invariants_at(edge, root.t);
+  crossing = {feature, root.t, root.error, {}, p, q};
+  for (std::size_t k = 0; k < 3; ++k) crossing.position[k] = a[k] + root.t * (b[k] - a[k]);
+}
+
 void EdgeCrossings::locate(const RefinableField& field, const CrossedEdge& edge,
                            FeatureSet features) {
   Crossing* crossing = &crossings_[edge.first];
   const Simplex<2> simplex(field, edge.ends);
-  const Point a = field.position(edge.ends[0]), b = field.position(edge.ends[1]);
   const auto set = [&](Feature feature, const EdgeRoot& root) {
-    const auto [p, q] = invariants_at(simplex, root.t);
-    *crossing = {feature, root.t, root.error, {}, p, q};
-    for (int k = 0; k < 3; ++k) crossing->position[k] = a[k] + root.t * (b[k] - a[k]);
-    ++crossing;
+    set_crossing(field, simplex, feature, root, *crossing++);
   };
   for (int i = 0; i < edge.pages(); ++i) {
     const Feature page = page_crossed(table_, labels_.sector(edge.ends[0]), edge.rotation, i);
@@ -113,6 +119,15 @@ void EdgeCrossings::locate(const RefinableField& field, const CrossedEdge& edge,
     set(feature, find_level_crossing(field, edge.ends, table_.row(feature).level,
                                      contains(labels_.inside_of(edge.ends[0]), feature)));
   }
+  if (edge.doubles == 0) return;
+  SignStages not_counted;
+  const auto roots = isolate_degenerate_roots(simplex, not_counted);  // as when it was certified
+  for (FeatureSet rest = edge.doubles; rest != 0; rest &= rest - 1) {
+    const auto page = static_cast<Feature>(std::countr_zero(rest));
+    for (int i = 0; i < roots->count; ++i)
+      if (const DegenerateRoot& root = roots->roots[static_cast<std::size_t>(i)]; root.page == page)
+        set(page, {root.t.middle(), root.t.hi - root.t.lo});
+  }
 }
 
 const CrossedEdge* EdgeCrossings::find(VertexId a, VertexId b) const {
@@ -124,13 +139,17 @@ const CrossedEdge* EdgeCrossings::find(VertexId a, VertexId b) const {
 }
 
 FeatureSet EdgeCrossings::features_on(const CrossedEdge& edge) const {
-  return edge.levels | pages_crossed(table_, labels_.sector(edge.ends[0]), edge.rotation);
+  return edge.levels | edge.doubles |
+         pages_crossed(table_, labels_.sector(edge.ends[0]), edge.rotation);
 }
 
 int EdgeCrossings::crossing_of(const CrossedEdge& edge, Feature feature) const {
   if (contains(edge.levels, feature))
     return static_cast<int>(edge.first) + edge.pages() +
            std::popcount(edge.levels & (bit(feature) - 1));
+  if (contains(edge.doubles, feature))
+    return static_cast<int>(edge.first) + edge.pages() + std::popcount(edge.levels) +
+           2 * std::popcount(edge.doubles & (bit(feature) - 1));
   const int k = table_.position(feature);
   if (k < 0) return -1;
   const int from = index(labels_.sector(edge.ends[0])), pages = table_.page_count();
@@ -140,6 +159,12 @@ int EdgeCrossings::crossing_of(const CrossedEdge& edge, Feature feature) const {
 
 bool EdgeCrossings::ascends(const CrossedEdge& edge, Feature feature) const {
   if (contains(edge.levels, feature)) return contains(labels_.inside_of(edge.ends[0]), feature);
+  if (contains(edge.doubles, feature)) {
+    // Counter-clockwise the linear page leads to the real side, the planar one away from it.
+    const Domain domain = table_.domain(labels_.sector(edge.ends[0]));
+    const bool from_real = domain == Domain::RealLinear || domain == Domain::RealPlanar;
+    return from_real == (feature == Feature::DegeneratePlanar);
+  }
   return edge.rotation > 0;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "edge_root.hpp"
 #include "triplex/certify/simplex.hpp"
 #include "triplex/feature/feature_table.hpp"
 #include "vertex_labels.hpp"
@@ -22,18 +23,19 @@ struct Crossing {
   double p = 0, q = 0;  ///< of the deviator there, in the units of the input
 };
 
-/// An edge of the refined mesh whose ends differ in their labels. Its crossings are the pages
-/// between the sectors, in order from the lower to the higher end, then the level sets, in order of
-/// the table.
+/// An edge of the refined mesh whose ends differ in their labels, or that a page crosses twice. Its
+/// crossings are the pages between the sectors, in order from the lower to the higher end, then the
+/// level sets, in order of the table, then the pages that cross it twice, each with both crossings.
 struct CrossedEdge {
   std::array<VertexId, 2> ends;  ///< ascending
   std::int8_t rotation = 0;      ///< pages crossed, positive counter-clockwise
   bool open = false;             ///< the side of the spine could not be decided
   FeatureSet levels = 0;         ///< level sets crossed
+  FeatureSet doubles = 0;        ///< degenerate pages that cross it twice; none of the rotation's
   std::uint32_t first = 0;       ///< its first crossing
 
   int pages() const { return rotation < 0 ? -rotation : rotation; }
-  int count() const { return pages() + std::popcount(levels); }
+  int count() const { return pages() + std::popcount(levels) + 2 * std::popcount(doubles); }
 };
 
 /// All crossed edges of the complex, each once, with their crossings.
@@ -52,10 +54,11 @@ class EdgeCrossings {
   const CrossedEdge* find(VertexId a, VertexId b) const;
   /// The pages and level sets that cross an edge.
   FeatureSet features_on(const CrossedEdge& edge) const;
-  /// The crossing of a feature on an edge, or -1.
+  /// The crossing of a feature on an edge, the first one if there are two; -1 if there is none.
   int crossing_of(const CrossedEdge& edge, Feature feature) const;
   /// Whether the edge, from its lower to its higher end, meets the feature in the sense in which
-  /// its surface is oriented: counter-clockwise; out of the convex set. \pre it crosses the edge.
+  /// its surface is oriented: counter-clockwise; out of the convex set. At the first crossing, if
+  /// there are two: the second one is the other way. \pre it crosses the edge.
   bool ascends(const CrossedEdge& edge, Feature feature) const;
 
  private:
@@ -63,6 +66,8 @@ class EdgeCrossings {
                        SignStages& stages) const;
   bool crosses_at_node(const Simplex<2>& edge, Feature page) const;
   void locate(const RefinableField& field, const CrossedEdge& edge, FeatureSet features);
+  void set_crossing(const RefinableField& field, const Simplex<2>& edge, Feature feature,
+                    const EdgeRoot& root, Crossing& crossing) const;
 
   const FeatureTable& table_;
   const VertexLabels& labels_;

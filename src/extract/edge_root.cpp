@@ -163,8 +163,8 @@ EdgeRoot find_crossing(const Simplex<2>& edge, const FeatureTable& table, Featur
     if (const auto exact = isolate(edge, row, table.sheet(page), root.t)) root = *exact;
   }
   if (root.error == 1 && edge.filter_usable())  // a wide bracket is better than none
-    root.error = certified_error([&](double t) { return f.sign_at(t); }, root.t, rising,
-                                 kWidestBracket, 1);
+    root.error =
+        certified_error([&](double t) { return f.sign_at(t); }, root.t, rising, kWidestBracket, 1);
   return root;
 }
 

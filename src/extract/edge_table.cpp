@@ -21,7 +21,7 @@ void for_each_edge(const RefinedComplex& complex, const VertexLabels& labels,
     for (int i = 0; i < 3; ++i) {
       if (index(v[i]) < low || index(v[i]) >= high) continue;
       for (int j = i + 1; j < 4; ++j)
-        if (!labels.agree(v[i], v[j])) take(index(v[i]), v[j]);
+        if (labels.crossed(v[i], v[j])) take(index(v[i]), v[j]);
     }
   }
 }

@@ -165,6 +165,8 @@ RefineOptions refine_options(const ExtractionOptions& options, FeatureSet certif
   r.periodic = options.periodic;
   r.max_bisections = budget_of(options, field);
   r.max_tets = kGrowth * field.mesh.tets.size() + kRoom;
+  // Domains, arcs that are sampled, and sides of periodic domains want one crossing per edge.
+  r.stacks = !options.domains && !options.keep_patches && !any(options.periodic);
   r.wish = options.wish;
   r.interrupted = options.interrupted;
   if (options.progress) r.progress = [&](double done) { options.progress("certify", done); };
@@ -191,14 +193,17 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
   SignStages stages = complex.sign_stages;
   const EdgeCrossings crossings(complex, options.table, labels, active, certified, stages);
   const FaceSpinePoints spine_points(complex, labels, active, crossings);
+  const StackedFaces stacks(complex, crossings, active, stages);
   open_unsettled(crossings, spine_points, active, certified, complex);
+  open_collapsed_stacks(crossings, spine_points, stacks, active, complex);
   report("mesh");
   result.table = options.table;
   result.requested = options.features;
   // The sides of a periodic domain are to match point by point, and so are domains and surfaces.
   const bool contracted = options.contract && complex.copies.empty() && !options.domains;
-  auto built = FeatureMeshBuilder(field, complex, crossings, spine_points, options.keep_tensors)
-                   .build(active, options.features & ~result.curves, contracted);
+  auto built =
+      FeatureMeshBuilder(field, complex, crossings, spine_points, stacks, options.keep_tensors)
+          .build(active, options.features & ~result.curves, contracted);
   result.features = std::move(built.meshes);
   result.contraction = built.contraction;
   if (options.domains) result.domains = domain_cells(field, complex, crossings, spine_points);

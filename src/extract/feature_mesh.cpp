@@ -20,12 +20,14 @@ constexpr std::size_t kChunk = 4096;  // leaves per part; parts are joined in or
 
 FeatureMeshBuilder::FeatureMeshBuilder(const TensorField& input, const RefinedComplex& complex,
                                        const EdgeCrossings& crossings,
-                                       const FaceSpinePoints& spine_points, bool keep_tensors)
+                                       const FaceSpinePoints& spine_points,
+                                       const StackedFaces& stacks, bool keep_tensors)
     : input_(input),
       complex_(complex),
       table_(crossings.table()),
       crossings_(crossings),
       spine_points_(spine_points),
+      stacks_(stacks),
       keep_tensors_(keep_tensors),
       joined_(complex, crossings) {}
 
@@ -52,7 +54,7 @@ FeatureMeshBuilder::Built FeatureMeshBuilder::build(const std::vector<std::uint3
 
 void FeatureMeshBuilder::add_leaf(const Leaf& leaf, FeatureSet features, CellPatches& patches,
                                   Cells& cells) const {
-  patches_of(leaf, crossings_, spine_points_, features, patches);
+  patches_of(leaf, crossings_, spine_points_, stacks_, features, patches);
   const std::int64_t source = input_.source_cell(leaf.input);
   for (const PatchLoop& loop : patches.loops) add_fan(loop, leaf, cells[index(loop.feature)]);
   for (const auto& [a, b] : patches.spine)

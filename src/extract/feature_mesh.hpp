@@ -17,7 +17,7 @@ class FeatureMeshBuilder {
  public:
   FeatureMeshBuilder(const TensorField& input, const RefinedComplex& complex,
                      const EdgeCrossings& crossings, const FaceSpinePoints& spine_points,
-                     bool keep_tensors);
+                     const StackedFaces& stacks, bool keep_tensors);
 
   struct Built {
     std::vector<FeatureMesh> meshes;  ///< one per row of the table
@@ -59,6 +59,7 @@ class FeatureMeshBuilder {
   const FeatureTable& table_;
   const EdgeCrossings& crossings_;
   const FaceSpinePoints& spine_points_;
+  const StackedFaces& stacks_;
   const bool keep_tensors_;
   const JoinedCrossings joined_;
 };

@@ -53,7 +53,7 @@ class Builder {
     CellPatches patches;
     for (const std::uint32_t n : active) {
       const Leaf& leaf = complex_.leaves[n];
-      patches_of(leaf, crossings_, spine_points_, features, patches);
+      patches_of(leaf, crossings_, spine_points_, no_stacks_, features, patches);
       for (const PatchLoop& loop : patches.loops) add_patch(leaf, loop);
       for (const auto& [from, to] : patches.spine) add_curve_piece(leaf, from, to);
     }
@@ -232,6 +232,7 @@ class Builder {
   const RefinedComplex& complex_;
   const EdgeCrossings& crossings_;
   const FaceSpinePoints& spine_points_;
+  const StackedFaces no_stacks_;
   const JoinedCrossings joined_;
   std::vector<std::uint32_t> number_;
   std::vector<Feature> features_;        // per corner: the one that crosses there

@@ -66,4 +66,44 @@ std::size_t fan_apex(const PatchLoop& loop, const Leaf& leaf, const RefinableFie
   return other < here ? (lowest + 1) % 4 : lowest;
 }
 
+bool meets_edge_twice(const PatchLoop& loop) {
+  for (std::size_t i = 0; i < loop.size; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (!loop[i].on_spine && !loop[j].on_spine && loop[i].faces == loop[j].faces) return true;
+  return false;
+}
+
+std::vector<std::array<std::size_t, 3>> triangulate(const PatchLoop& loop) {
+  // The least number of diagonals in faces for the polygon i, i + 1, ..., j, and the corner that
+  // makes a triangle with i and j.
+  const std::size_t n = loop.size;
+  constexpr std::size_t kMost = PatchLoop::kMost;
+  std::array<std::array<int, kMost>, kMost> cost{};
+  std::array<std::array<std::size_t, kMost>, kMost> corner{};
+  const auto side_cost = [&](std::size_t i, std::size_t j) {
+    const bool is_diagonal = j > i + 1 && !(i == 0 && j == n - 1);
+    return is_diagonal && (loop[i].faces & loop[j].faces) != 0 ? 1 : 0;
+  };
+  for (std::size_t length = 2; length < n; ++length)
+    for (std::size_t i = 0; i + length < n; ++i) {
+      const std::size_t j = i + length;
+      cost[i][j] = static_cast<int>(n) + 1;
+      for (std::size_t k = i + 1; k < j; ++k)
+        if (const int c = cost[i][k] + cost[k][j]; c < cost[i][j]) cost[i][j] = c, corner[i][j] = k;
+      cost[i][j] += side_cost(i, j);
+    }
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<std::array<std::size_t, 2>> todo = {{0, n - 1}};
+  while (!todo.empty()) {
+    const auto [i, j] = todo.back();
+    todo.pop_back();
+    if (j < i + 2) continue;
+    const std::size_t k = corner[i][j];
+    triangles.push_back({i, k, j});
+    todo.push_back({i, k});
+    todo.push_back({k, j});
+  }
+  return triangles;
+}
+
 }  // namespace triplex

@@ -4,6 +4,9 @@
 
 #include <cstddef>
 
+#include <array>
+#include <vector>
+
 #include "cell_patches.hpp"
 
 namespace triplex {
@@ -16,9 +19,19 @@ namespace triplex {
 std::size_t fan_apex(const PatchLoop& loop, const Leaf& leaf, const RefinableField& field);
 
 /// Calls take(a, b, c) for every triangle of a patch, with vertices in the sense of its loop.
+/// Whether the loop meets an edge twice. Then corners may lie in one face without being neighbours.
+bool meets_edge_twice(const PatchLoop& loop);
+/// A triangulation with as few diagonals in faces of the tet as there can be: the next tet might
+/// have the same diagonal.
+std::vector<std::array<std::size_t, 3>> triangulate(const PatchLoop& loop);
+
 template <class Take>
 void for_each_triangle(const PatchLoop& loop, const Leaf& leaf, const RefinableField& field,
                        const Take& take) {
+  if (meets_edge_twice(loop)) {
+    for (const auto& [a, b, c] : triangulate(loop)) take(loop[a], loop[b], loop[c]);
+    return;
+  }
   const std::size_t n = loop.size, apex = fan_apex(loop, leaf, field);
   for (std::size_t i = 1; i + 1 < n; ++i)
     take(loop[apex], loop[(apex + i) % n], loop[(apex + i + 1) % n]);

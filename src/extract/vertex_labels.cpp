@@ -19,8 +19,31 @@ VertexLabels labels_of(const RefinedComplex& complex, const FeatureTable& table)
                             : sector_approx(complex.field, VertexId(v), table);
   labels.inside.reserve(complex.sides.size());
   for (const LevelSides& sides : complex.sides) labels.inside.push_back(sides.inside);
+  labels.doubles = complex.doubles;
+  if (!labels.doubles.empty()) labels.has_doubles.resize(labels.sectors.size());
+  for (const DoubleCrossing& d : labels.doubles) labels.has_doubles[index(d.edge[0])] = 1;
   return labels;
 }
+
+FeatureSet VertexLabels::doubles_on(const std::array<VertexId, 2>& edge) const {
+  if (has_doubles.empty() || has_doubles[index(edge[0])] == 0) return 0;
+  FeatureSet pages = 0;
+  for (const DoubleCrossing& d : std::ranges::equal_range(doubles, edge, {}, &DoubleCrossing::edge))
+    pages |= bit(d.page);
+  return pages;
+}
+
+namespace {
+
+bool has_double_edge(const VertexLabels& labels, const std::array<VertexId, 4>& v) {
+  if (labels.has_doubles.empty()) return false;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j)
+      if (labels.doubles_on({v[i], v[j]}) != 0) return true;
+  return false;
+}
+
+}  // namespace
 
 std::vector<std::uint32_t> active_leaves(const RefinedComplex& complex,
                                          const VertexLabels& labels) {
@@ -30,7 +53,8 @@ std::vector<std::uint32_t> active_leaves(const RefinedComplex& complex,
     const std::size_t end = std::min((part + 1) * kChunk, complex.leaves.size());
     for (std::size_t n = part * kChunk; n < end; ++n) {
       const auto& v = complex.leaves[n].vertices;
-      if (!labels.agree(v[0], v[1]) || !labels.agree(v[0], v[2]) || !labels.agree(v[0], v[3]))
+      if (!labels.agree(v[0], v[1]) || !labels.agree(v[0], v[2]) || !labels.agree(v[0], v[3]) ||
+          has_double_edge(labels, v))
         parts[part].push_back(static_cast<std::uint32_t>(n));
     }
   });

@@ -21,11 +21,18 @@ struct VertexLabels {
   bool agree(VertexId a, VertexId b) const {
     return sector(a) == sector(b) && inside_of(a) == inside_of(b);
   }
+  /// The edge, with a < b, holds crossings: its labels differ, or a page crosses it twice.
+  bool crossed(VertexId a, VertexId b) const { return !agree(a, b) || doubles_on({a, b}) != 0; }
+  /// The degenerate pages that cross an edge twice.
+  FeatureSet doubles_on(const std::array<VertexId, 2>& edge) const;
+
+  std::vector<DoubleCrossing> doubles;    ///< sorted
+  std::vector<std::uint8_t> has_doubles;  ///< per vertex, as the lower end; empty: there are none
 };
 
 VertexLabels labels_of(const RefinedComplex& complex, const FeatureTable& table);
 
-/// Tets whose vertices differ in some label: only these can hold patches.
+/// Tets with a crossed edge: only these can hold patches.
 std::vector<std::uint32_t> active_leaves(const RefinedComplex& complex, const VertexLabels& labels);
 
 }  // namespace triplex

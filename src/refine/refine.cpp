@@ -63,6 +63,7 @@ class Refinement {
     }
     for (const SignStages& stages : stages_) complex_.sign_stages += stages;
     complex_.asked_for = std::move(spent_);
+    collect_double_crossings();
     return std::move(complex_);
   }
 
@@ -73,6 +74,15 @@ class Refinement {
     Mark mark;
     bool is_certified = false;  ///< what `RefineOptions::wish` wants
   };
+
+  /// Of leaves that were bisected later as well: what was proven of an edge stays true.
+  void collect_double_crossings() {
+    for (const auto& found : stacks_)
+      complex_.doubles.insert(complex_.doubles.end(), found.begin(), found.end());
+    std::ranges::sort(complex_.doubles);
+    const auto rest = std::ranges::unique(complex_.doubles);
+    complex_.doubles.erase(rest.begin(), rest.end());
+  }
 
   /// Vertices ascending; the input check made the orientation positive.
   void place_input_tets() {
@@ -171,7 +181,7 @@ class Refinement {
       certificate.graph = swept.graph;
     else if (const FeatureSet book = options_.features & ~level_sets_; book != 0)
       certificate = certify_cell(complex_.field, leaf.vertices, complex_.sectors, options_.table,
-                                 book, stages);
+                                 book, options_.stacks ? &stacks_.local() : nullptr, stages);
     if (level_sets_ != 0)
       certify_level_sets(complex_.field, leaf.vertices, complex_.sides, options_.table, level_sets_,
                          certificate, stages);
@@ -379,7 +389,8 @@ class Refinement {
   std::unordered_set<TetId> searched_;  // tets of the input
   std::vector<std::uint32_t> pending_;  // leaves without a current certificate
   tbb::enumerable_thread_specific<std::vector<Wish>> wishes_;  // in any order: marks are sorted
-  std::optional<LeafLookup> lookup_;                           // from the first bisection on
+  tbb::enumerable_thread_specific<std::vector<DoubleCrossing>> stacks_;
+  std::optional<LeafLookup> lookup_;  // from the first bisection on
 };
 
 }  // namespace

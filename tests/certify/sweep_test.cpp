@@ -65,7 +65,8 @@ std::size_t expect_same_as_one_by_one(const Prepared& p, FeatureSet requested) {
     if (!swept[n].settled) continue;
     ++settled;
     const auto one =
-        certify_cell(p.field, p.cells[n], p.sectors, standard_features(), requested, not_compared);
+        certify_cell(p.field, p.cells[n], p.sectors, standard_features(), requested, nullptr,
+                     not_compared);
     EXPECT_EQ(one.excluded, requested & ~swept[n].graph) << "tet " << n;
     EXPECT_EQ(one.graph | one.open, swept[n].graph) << "tet " << n;
     EXPECT_FALSE(one.has_spine_proof) << "tet " << n;

@@ -107,7 +107,7 @@ TEST(ContractedMeshes, FewerContacts) {
   const EmbeddingResult before = check(raw()), after = check(contracted());
   EXPECT_GT(before.degenerate.size(), 0u);
   EXPECT_LT(8 * after.degenerate.size(), before.degenerate.size());
-  EXPECT_LE(2 * after.contacts_within(), before.contacts_within());
+  EXPECT_LE(after.contacts_within(), before.contacts_within());
   EXPECT_LE(after.contacts_between(), before.contacts_between());
 }
 

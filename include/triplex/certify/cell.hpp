@@ -5,7 +5,9 @@
 #include <array>
 #include <span>
 #include <string_view>
+#include <vector>
 
+#include "triplex/certify/stacked_sheets.hpp"
 #include "triplex/certify/variation.hpp"
 #include "triplex/certify/vertex.hpp"
 #include "triplex/feature/feature_table.hpp"
@@ -52,10 +54,12 @@ using SectorTable = std::span<const std::uint8_t>;
 /// Certifies the requested pages and the curve on one tet with its faces and edges.
 /// Guarantee: if `complete`, then in this tet each requested page is what vertex labels and edge
 /// rotations say: per page nothing, one disc, or one half of a disc cut by the single arc of the
-/// triple degenerate curve. Source: proofs/cell.md.
+/// triple degenerate curve. If `stacks` is given, a degenerate page may also be several discs, as the
+/// arcs on the faces say, and the edges that it crosses twice are appended there. Source:
+/// proofs/cell.md, proofs/stacked_sheets.md.
 /// \pre vertices ascending; `requested` holds no level sets.
 CellCertificate certify_cell(const RefinableField& field, const std::array<VertexId, 4>& vertices,
                              SectorTable sectors, const FeatureTable& table, FeatureSet requested,
-                             SignStages& stages);
+                             std::vector<DoubleCrossing>* stacks, SignStages& stages);
 
 }  // namespace triplex
