@@ -66,6 +66,7 @@ Extraction extract_with_progress(const TensorField& field, const ExtractRequest&
   // Meshes for a tolerance are made otherwise, and the second road compares cell by cell.
   options.contract =
       !request.keep_short_edges && request.tolerance.empty() && !request.verify_quadrics;
+  options.stacks = request.stacks;
   options.periodic = parse_axes(request.periodic);
   options.max_bisections = request.effort.max_bisections;
   options.threads = request.effort.threads;
@@ -250,6 +251,11 @@ void add_extract(CLI::App& program, Action& action) {
       "of each tet, and compare");
   add_periodic_option(*command, request->periodic,
                       "Opposite sides across these axes are one; their tensors must be equal");
+  command
+      ->add_flag("--stacks", request->stacks,
+                 "Also certify cells that hold several discs of a degenerate surface, where its "
+                 "sheets nearly touch; slow on hard fields")
+      ->excludes("--periodic", "--domains", "--tolerance");
   command->add_flag("--keep-short-edges", request->keep_short_edges,
                     "Keep edges of the size of rounding, which are contracted otherwise where "
                     "that changes no topology");

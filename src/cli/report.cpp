@@ -59,6 +59,7 @@ Json options_json(const ExtractRequest& request, const Extraction& extraction) {
                {"verify_quadrics", request.verify_quadrics},
                {"max_bisections", extraction.refinement.max_bisections},
                {"threads", request.effort.threads},
+               {"stacks", request.stacks},
                {"keep_short_edges", request.keep_short_edges},
                {"check_embedding", request.check_embedding},
                {"complex", request.complex},

@@ -54,6 +54,7 @@ struct ExtractRequest {
   bool symmetric = false;  ///< take the symmetric parts of the tensors
   bool domains = false;
   std::string tolerance;  ///< empty: one polygon per tet
+  bool stacks = false;
   bool keep_short_edges = false;
   bool check_embedding = false;
   bool complex = false;

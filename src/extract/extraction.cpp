@@ -166,7 +166,7 @@ RefineOptions refine_options(const ExtractionOptions& options, FeatureSet certif
   r.max_bisections = budget_of(options, field);
   r.max_tets = kGrowth * field.mesh.tets.size() + kRoom;
   // Domains, arcs that are sampled, and sides of periodic domains want one crossing per edge.
-  r.stacks = !options.domains && !options.keep_patches && !any(options.periodic);
+  r.stacks = options.stacks && !options.domains && !options.keep_patches && !any(options.periodic);
   r.wish = options.wish;
   r.interrupted = options.interrupted;
   if (options.progress) r.progress = [&](double done) { options.progress("certify", done); };

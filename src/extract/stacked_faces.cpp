@@ -27,19 +27,36 @@ std::array<VertexId, 3> face_of(const Leaf& leaf, const std::array<int, 3>& loca
           leaf.vertices[static_cast<std::size_t>(local[2])]};
 }
 
-/// The crossings joined are those of the face. (Around open tets edges may be crossed twice that
-/// are not known to be.)
-bool joins_all(const FacePairing& pairing, const EdgeCrossings& crossings,
-               const std::array<VertexId, 3>& face, Feature page) {
+/// The numbers of the crossings on a face, as in `FacePairing`.
+std::vector<std::size_t> numbers_on(const EdgeCrossings& crossings,
+                                    const std::array<VertexId, 3>& face, Feature page) {
+  std::vector<std::size_t> numbers;
   for (std::size_t e = 0; e < kEdgesOfFace.size(); ++e) {
     const auto& [a, b] = kEdgesOfFace[e];
     const CrossedEdge* const edge =
         crossings.find(face[static_cast<std::size_t>(a)], face[static_cast<std::size_t>(b)]);
-    const bool once = edge != nullptr && crossings.crossing_of(*edge, page) >= 0;
-    const bool twice = edge != nullptr && contains(edge->doubles, page);
-    if (once != (pairing[2 * e] >= 0) || twice != (pairing[2 * e + 1] >= 0)) return false;
+    if (edge == nullptr || crossings.crossing_of(*edge, page) < 0) continue;
+    numbers.push_back(2 * e);
+    if (contains(edge->doubles, page)) numbers.push_back(2 * e + 1);
   }
+  return numbers;
+}
+
+/// The crossings joined are those of the face. (Around open tets edges may be crossed twice that
+/// are not known to be.)
+bool joins_all(const FacePairing& pairing, const std::vector<std::size_t>& numbers) {
+  for (std::size_t n = 0; n < pairing.size(); ++n)
+    if ((pairing[n] >= 0) != (std::ranges::count(numbers, n) != 0)) return false;
   return true;
+}
+
+/// Two crossings are the ends of one arc.
+FacePairing joined(const std::vector<std::size_t>& two) {
+  FacePairing pairing;
+  pairing.fill(-1);
+  pairing[two[0]] = static_cast<std::int8_t>(two[1]);
+  pairing[two[1]] = static_cast<std::int8_t>(two[0]);
+  return pairing;
 }
 
 }  // namespace
@@ -68,14 +85,17 @@ StackedFaces::StackedFaces(const RefinedComplex& complex, const EdgeCrossings& c
   std::vector<std::optional<FacePairing>> answers(questions.size());
   std::vector<SignStages> counts(questions.size());
   tbb::parallel_for(std::size_t{0}, questions.size(), [&](std::size_t n) {
-    answers[n] =
-        pair_crossings(Simplex<3>(complex.field, questions[n].face), questions[n].page, counts[n]);
+    const auto& [face, page] = questions[n];
+    const auto numbers = numbers_on(crossings, face, page);
+    if (numbers.size() == 2)
+      answers[n] = joined(numbers);
+    else
+      answers[n] = pair_crossings(Simplex<3>(complex.field, face), page, counts[n]);
+    if (answers[n] && !joins_all(*answers[n], numbers)) answers[n].reset();
   });
   for (std::size_t n = 0; n < questions.size(); ++n) {
     stages += counts[n];
-    const auto& [face, page] = questions[n];
-    if (answers[n] && joins_all(*answers[n], crossings, face, page))
-      faces_.push_back({face, page, *answers[n]});
+    if (answers[n]) faces_.push_back({questions[n].face, questions[n].page, *answers[n]});
   }
 }
 

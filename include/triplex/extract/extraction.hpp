@@ -84,6 +84,10 @@ struct ExtractionOptions {
   bool keep_patches = false;
   /// Fill `Extraction::domains`. All pages of the table and the curve are certified then.
   bool domains = false;
+  /// Certify cells that hold several discs of a degenerate surface (`RefineOptions::stacks`). Takes
+  /// several times as long on hard fields. Not in periodic domains, nor with `domains` or
+  /// `keep_patches`. Where cells stay open the mesh may have cracks beside such cells.
+  bool stacks = false;
   /// Bisections that one tet of the input may ask for before it is reported as unresolved. Nothing:
   /// `default_budget`.
   std::optional<std::uint32_t> max_bisections;
