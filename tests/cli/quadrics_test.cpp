@@ -23,7 +23,7 @@ std::string generated(const TemporaryDirectory& directory, const std::string& ki
 
 TEST(VerifyQuadrics, AgreementIsReported) {
   const TemporaryDirectory directory;
-  const std::string field = generated(directory, "abc", "8");
+  const std::string field = generated(directory, "abc", "9");
   const auto out = directory / "out";
   const Outcome outcome =
       run({"extract", field, "-o", out.string(), "--features", "balanced-linear,balanced-planar",
@@ -37,7 +37,7 @@ TEST(VerifyQuadrics, AgreementIsReported) {
   EXPECT_EQ(report["quadrics"].size(), 4u);
   const json& balanced = report["quadrics"]["balanced"];
   EXPECT_TRUE(balanced["agree"].get<bool>());
-  EXPECT_GT(balanced["compared"].get<int>(), 800);
+  EXPECT_GT(balanced["compared"].get<int>(), 1000);
   EXPECT_EQ(balanced["differing"].get<int>(), 0);
   EXPECT_TRUE(balanced["differing_tets"].empty());
   EXPECT_EQ(balanced["unmeshed"].get<int>(), 0);

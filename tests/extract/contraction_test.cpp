@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "triplex/extract/extraction.hpp"
@@ -17,12 +18,17 @@
 namespace triplex {
 namespace {
 
-/// A flow with planes of symmetry on a regular grid: invariants are exactly zero at many vertices.
+/// A flow with planes of symmetry on a regular grid, zero there up to rounding only, as
+/// cos(pi / 2) is in doubles: sheets miss vertices by the size of rounding.
 const TensorField& field() {
   static const TensorField f = [] {
     GridOptions grid;
     grid.n = 6;
-    return generate_abc(grid);
+    TensorField abc = generate_abc(grid);
+    for (Tensor<double>& t : abc.tensors)
+      for (const std::size_t k : {1u, 2u, 3u, 5u, 6u, 7u})
+        if (t[k] == 0) t[k] = std::cos(std::numbers::pi / 2);
+    return abc;
   }();
   return f;
 }
@@ -107,7 +113,7 @@ TEST(ContractedMeshes, FewerContacts) {
   const EmbeddingResult before = check(raw()), after = check(contracted());
   EXPECT_GT(before.degenerate.size(), 0u);
   EXPECT_LT(8 * after.degenerate.size(), before.degenerate.size());
-  EXPECT_LE(after.contacts_within(), before.contacts_within());
+  EXPECT_LE(2 * after.contacts_within(), before.contacts_within());
   EXPECT_LE(after.contacts_between(), before.contacts_between());
 }
 
