@@ -4,26 +4,32 @@
 
 #include <span>
 
-#include "triplex/arithmetic/root_isolation.hpp"
 #include "triplex/bernstein/discriminant.hpp"
+#include "triplex/certify/isolate_discriminant.hpp"
 
 namespace triplex {
+
+RootIsolation isolate_discriminant(const Forms<Exact, 2>& forms) {
+  auto d = minus_discriminant(forms);
+  // Bernstein coefficients times 60, the least common multiple of the multinomials 1, 6, 15, 20.
+  for (std::size_t n = 0; n < d.size(); ++n)
+    d[n] = d[n] * Exact(60 / kMonomials<2, 6>.multinomial[n]);
+  return RootIsolation(std::span<const Exact>(d));
+}
 
 std::optional<DegenerateRoots> isolate_degenerate_roots(const Simplex<2>& edge,
                                                         SignStages& stages) {
   if (edge.has_enclosed_vertex()) return {};
   stages.count(Stage::Exact);
   const auto forms = forms_of<Exact, 2>(edge.exact_tensors());
-  auto d = minus_discriminant(forms);
-  if (d.front().is_zero() || d.back().is_zero()) return {};
-  // Bernstein coefficients times 60, the least common multiple of the multinomials 1, 6, 15, 20.
-  for (std::size_t n = 0; n < d.size(); ++n)
-    d[n] = d[n] * Exact(60 / kMonomials<2, 6>.multinomial[n]);
-  RootIsolation isolation{std::span<const Exact>(d)};
+  RootIsolation isolation = isolate_discriminant(forms);
+  if (isolation.identically_zero()) return {};
   const RootIsolation q{std::span<const Exact>(forms.q)};
   DegenerateRoots found;
   for (std::size_t i = 0; i < isolation.roots().size(); ++i) {
-    if (isolation.roots()[i].multiplicity != 1 || q.identically_zero()) return {};
+    const RootInterval& isolated = isolation.roots()[i];
+    const bool at_end = isolated.is_point() && (isolated.lo == 0 || isolated.lo_approx() == 1);
+    if (isolated.multiplicity != 1 || at_end || q.identically_zero()) return {};
     const Sign sign_q = isolation.sign_at_root(q.polynomial(), i);
     if (sign_q == Sign::Zero) return {};
     isolation.refine(i, 60);

@@ -18,14 +18,8 @@ class Verification {
  public:
   using Cell = TensorCell<N>;
 
-  Verification(const Cell& cell, const Direction<N>& direction) {
-    for (int i = 0; i < 9; ++i) {
-      derivative_[i] = Interval(0);
-      for (int k = 1; k < N; ++k)
-        derivative_[i] += Interval(direction[k - 1]) * (cell[k][i] - cell[0][i]);
-    }
-    derivative_approx_ = middle(derivative_);
-  }
+  Verification(const Cell& cell, const Direction<N>& direction)
+      : derivative_(change_along<N>(cell, direction)), derivative_approx_(middle(derivative_)) {}
 
   bool holds(const Cell& cell) {
     if (holds_at_once(cell) || is_real<N>(cell)) return true;

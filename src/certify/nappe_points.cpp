@@ -11,33 +11,6 @@
 namespace triplex {
 namespace {
 
-Interval trace_of_product(const Tensor<Interval>& a, const Tensor<Interval>& b) {
-  Interval sum(0);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) sum += a[3 * i + j] * b[3 * j + i];
-  return sum;
-}
-Tensor<Interval> product(const Tensor<Interval>& a, const Tensor<Interval>& b) {
-  Tensor<Interval> r;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) {
-      r[3 * i + j] = Interval(0);
-      for (std::size_t k = 0; k < 3; ++k) r[3 * i + j] += a[3 * i + k] * b[3 * k + j];
-    }
-  return r;
-}
-
-template <int N>
-Tensor<Interval> change_along(const TensorCell<N>& cell, const NappeDirection<N>& direction) {
-  Tensor<Interval> change;
-  for (std::size_t i = 0; i < 9; ++i) {
-    change[i] = Interval(0);
-    for (std::size_t k = 1; k < N; ++k)
-      change[i] += Interval(direction[k - 1]) * (cell[k][i] - cell[0][i]);
-  }
-  return change;
-}
-
 /// Looks for parts in which the block may be a multiple of the identity.
 template <int N>
 class NodeExclusion {
@@ -118,12 +91,11 @@ int nappe_at(const Simplex<N>& simplex, const NappeDirection<N>& direction, cons
   const Interval t(zero.weight.lo, zero.weight.hi);
   Tensor<Interval> a;
   for (std::size_t k = 0; k < 9; ++k) a[k] = from[k] + t * (to[k] - from[k]);
-  // D = -4 p^3 - 27 q^2 with p = -tr(A^2) / 2 and q = tr(A^3) / 3, so p' = -tr(A A') and
-  // q' = tr(A^2 A').
-  const Tensor<Interval> a2 = product(a, a);
-  const Interval p = -trace_of_product(a, a) * Interval(0.5), dp = -trace_of_product(a, change);
-  const Interval three_q = trace_of_product(a2, a), dq = trace_of_product(a2, change);
-  return -sign_of(-Interval(12) * p * p * dp - Interval(18) * three_q * dq);
+  // With P = 2 p and Q = 6 q at A, and at (A, A') half of P', a third of Q': D = -4 p^3 - 27 q^2
+  // has the derivative -3 P^2 p' - 9/2 Q q'.
+  const auto f = forms_of<Interval, 2>({a, change});
+  return -sign_of(-Interval(3) * square(f.P(0, 0)) * f.P(0, 1) -
+                  Interval(4.5) * f.Q(0, 0, 0) * f.Q(0, 0, 1));
 }
 
 template <int N>

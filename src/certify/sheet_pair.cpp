@@ -111,12 +111,7 @@ std::optional<SheetPair<N>> SheetPair<N>::find(const Simplex<N>& simplex, SignSt
   const TensorCell<N> cell = tensor_cell(simplex);
   SheetPair pair;
   for (int i = 0; i < 9; ++i) pair.basis_[static_cast<std::size_t>(i)] = guess->basis(i / 3, i % 3);
-  Tensor<Interval> derivative;
-  for (std::size_t i = 0; i < 9; ++i) {
-    derivative[i] = Interval(0);
-    for (int k = 1; k < N; ++k)
-      derivative[i] += Interval(guess->direction[k - 1]) * (cell[k][i] - cell[0][i]);
-  }
+  const Tensor<Interval> derivative = change_along<N>(cell, guess->direction);
   std::copy(guess->direction.begin(), guess->direction.end(), pair.direction_.begin());
   Verification<N> verification(guess->basis, *inverse_basis, derivative);
   if (!verification.is_pair(cell)) return {};

@@ -27,6 +27,17 @@ TensorCell<N> tensor_cell(const Simplex<N>& simplex) {
   return cell;
 }
 
+/// The rate of change along the direction with these weights of the differences v_k - v_0.
+template <int N, class Direction>
+Tensor<Interval> change_along(const TensorCell<N>& cell, const Direction& direction) {
+  Tensor<Interval> change;
+  for (std::size_t i = 0; i < 9; ++i) {
+    change[i] = Interval(0);
+    for (int k = 1; k < N; ++k) change[i] += Interval(direction[k - 1]) * (cell[k][i] - cell[0][i]);
+  }
+  return change;
+}
+
 inline double middle(const Interval& x) { return x.inf() + (x.sup() - x.inf()) / 2; }
 
 inline Eigen::Matrix3d middle(const Tensor<Interval>& t) {

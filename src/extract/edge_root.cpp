@@ -8,7 +8,7 @@
 
 #include "bracket.hpp"
 #include "triplex/arithmetic/root_isolation.hpp"
-#include "triplex/bernstein/discriminant.hpp"
+#include "triplex/certify/isolate_discriminant.hpp"
 #include "triplex/certify/mode_page.hpp"
 
 namespace triplex {
@@ -119,16 +119,9 @@ std::optional<EdgeRoot> isolate(const Simplex<2>& edge, const FeatureRow& page, 
                                 double t) {
   const auto forms = mapped(forms_of<Exact, 2>(edge.exact_tensors()), sheet.map);
   const RootIsolation p(std::span<const Exact>(forms.p)), q(std::span<const Exact>(forms.q));
-  const auto sextic = [&] {
-    auto d = minus_discriminant(forms);
-    // Bernstein coefficients times 60, the least common multiple of the multinomials 1, 6, 15, 20.
-    for (std::size_t n = 0; n < d.size(); ++n)
-      d[n] = d[n] * Exact(60 / kMonomials<2, 6>.multinomial[n]);
-    return RootIsolation(std::span<const Exact>(d));
-  };
   RootIsolation roots = sheet.kind == Sheet::Kind::Balanced  ? p
                         : sheet.kind == Sheet::Kind::Neutral ? q
-                                                             : sextic();
+                                                             : isolate_discriminant(forms);
   if (roots.identically_zero()) return std::nullopt;
 
   const auto allows = [&](const RootIsolation& other, Sign wanted, std::size_t i) {
