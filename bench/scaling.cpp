@@ -30,7 +30,7 @@ struct Row {
 /// Tets of the input that the refinement cut, by its own bisections or by those of neighbours.
 double count_bisected(const TensorField& field) {
   RefineOptions options;
-  options.max_tets = 4 * field.mesh.tets.size() + 4'000'000;  // as `extract` does
+  options.max_tets = default_size_limit(field.mesh.tets.size());
   const RefinedComplex complex = refine(field, options);
   std::vector<std::uint8_t> parts(field.mesh.tets.size(), 0);
   for (const Leaf& leaf : complex.leaves)

@@ -48,6 +48,7 @@ Extraction run_robust(const TensorField& field, const AuditRequest& request,
   options.table = requested.table;
   options.features = requested.set;
   options.max_bisections = request.effort.max_bisections;
+  options.max_tets = request.effort.max_tets;
   options.threads = request.effort.threads;
   options.progress = [&](std::string_view step, double done) { progress.show(step, done); };
   options.interrupted = &interrupted();
@@ -132,6 +133,7 @@ AuditResult compare_roads(const TensorField& field, const RequestedFeatures& req
   result.table = requested.table;
   result.tets = field.mesh.tets.size();
   result.max_bisections = extraction.refinement.max_bisections;
+  result.max_tets = extraction.refinement.max_tets;
   const Domain domain(field);
   for (const Feature f : reading_order(requested.set)) {
     if (contains(extraction.curves, f)) {

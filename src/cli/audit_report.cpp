@@ -165,6 +165,7 @@ Json audit_json(const AuditRequest& request, const AuditResult& result) {
                   {"samples", request.samples},
                   {"layers_only", request.layers_only},
                   {"max_bisections", result.max_bisections},
+                  {"max_tets", result.max_tets},
                   {"threads", request.effort.threads}});
   return {{"version", kVersion},
           {"field", {{"file", request.field}, {"tets", result.tets}}},

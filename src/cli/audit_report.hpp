@@ -53,6 +53,7 @@ struct AuditResult {
   FeatureTable table;
   std::size_t tets = 0;
   std::uint32_t max_bisections = 0;
+  std::uint64_t max_tets = 0;
   std::vector<FeatureAudit> features;  ///< in reading order
   std::vector<Feature> left_out;       ///< curves on one side and surfaces on the other
   std::vector<Difference> differences;

@@ -69,6 +69,7 @@ Extraction extract_with_progress(const TensorField& field, const ExtractRequest&
   options.stacks = request.stacks;
   options.periodic = parse_axes(request.periodic);
   options.max_bisections = request.effort.max_bisections;
+  options.max_tets = request.effort.max_tets;
   options.threads = request.effort.threads;
   options.progress = [&](std::string_view step, double done) { steps.progress.show(step, done); };
   options.interrupted = &interrupted();

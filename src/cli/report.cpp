@@ -58,6 +58,7 @@ Json options_json(const ExtractRequest& request, const Extraction& extraction) {
                {"tolerance", request.tolerance},
                {"verify_quadrics", request.verify_quadrics},
                {"max_bisections", extraction.refinement.max_bisections},
+               {"max_tets", extraction.refinement.max_tets},
                {"threads", request.effort.threads},
                {"stacks", request.stacks},
                {"keep_short_edges", request.keep_short_edges},

@@ -23,11 +23,6 @@
 namespace triplex {
 namespace {
 
-/// Refinement may add this many tets per tet of the input, and this many in any case; more would
-/// not fit the memory of an ordinary machine for inputs of a few million tets.
-constexpr std::size_t kGrowth = 4;
-constexpr std::size_t kRoom = 4'000'000;
-
 class Stopwatch {
  public:
   double lap() {
@@ -157,6 +152,10 @@ std::uint32_t budget_of(const ExtractionOptions& options, const TensorField& fie
   return options.max_bisections.value_or(default_budget(field.mesh.tets.size()));
 }
 
+std::size_t size_limit_of(const ExtractionOptions& options, const TensorField& field) {
+  return options.max_tets.value_or(default_size_limit(field.mesh.tets.size()));
+}
+
 RefineOptions refine_options(const ExtractionOptions& options, FeatureSet certified,
                              const TensorField& field) {
   RefineOptions r;
@@ -164,7 +163,7 @@ RefineOptions refine_options(const ExtractionOptions& options, FeatureSet certif
   r.features = certified;
   r.periodic = options.periodic;
   r.max_bisections = budget_of(options, field);
-  r.max_tets = kGrowth * field.mesh.tets.size() + kRoom;
+  r.max_tets = size_limit_of(options, field);
   // Domains, arcs that are sampled, and sides of periodic domains want one crossing per edge.
   r.stacks = options.stacks && !options.domains && !options.keep_patches && !any(options.periodic);
   r.wish = options.wish;
@@ -219,7 +218,7 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
   result.sign_stages = stages;
   result.certificates = count_certificates(complex, certified);
   result.refinement = {complex.rounds, complex.bisections, complex.leaves.size(),
-                       budget_of(options, field)};
+                       budget_of(options, field), size_limit_of(options, field)};
   result.identical = find_identical(field, complex.field);
   result.unresolved = unresolved_tets(field, complex, result.nodes, result.identical, options.table,
                                       result.refinement.max_bisections);

@@ -305,6 +305,24 @@ TEST(Places, OpenCellsAreWrittenAndGoWithTheNextRun) {
   EXPECT_FALSE(fs::exists(out / "unresolved.vtu"));
 }
 
+TEST(Places, SayThatTheSizeLimitEndedTheRun) {
+  const TemporaryDirectory directory;
+  const std::string field = make_field(directory, "noise", 3);
+  const auto is_size_limit = [](const json& tet) {
+    return tet["reason"].get<std::string>().find("reached its size limit") != std::string::npos;
+  };
+  const json limited =
+      extract(field, directory / "limited", {"--max-bisections", "64", "--max-tets", "2000"});
+  EXPECT_EQ(limited["options"]["max_tets"], 2000);
+  EXPECT_FALSE(limited["unresolved"].empty());
+  EXPECT_TRUE(std::ranges::all_of(limited["unresolved"], is_size_limit));
+  const json free =
+      extract(field, directory / "free", {"--max-bisections", "64", "--max-tets", "0"});
+  EXPECT_LT(free["unresolved"].size(), limited["unresolved"].size());
+  EXPECT_GT(free["refinement"]["tets"], limited["refinement"]["tets"]);
+  EXPECT_TRUE(std::ranges::none_of(free["unresolved"], is_size_limit));
+}
+
 TEST(Places, PlanesOfSymmetryAreInReportTableAndFile) {
   const TemporaryDirectory directory;
   const fs::path out = directory / "out";

@@ -43,6 +43,7 @@ struct SpineAccuracy {
 struct RefinementStatistics {
   std::uint64_t rounds = 0, bisections = 0, tets = 0;
   std::uint32_t max_bisections = 0;  ///< that one tet of the input may ask for
+  std::uint64_t max_tets = 0;        ///< no round started with more; 0: no limit
 };
 
 /// Edges of the size of rounding that were contracted: how many vertices became others, an upper
@@ -65,6 +66,13 @@ struct ExtractionTiming {
 constexpr std::uint32_t default_budget(std::size_t tets) {
   constexpr std::size_t kEach = 1024, kTogether = 65536;
   return static_cast<std::uint32_t>(std::max(kEach, kTogether / std::max<std::size_t>(tets, 1)));
+}
+
+/// The tets that the refined mesh of so many tets may have: as many as ordinary machines hold, at
+/// 450 bytes each with all that is made of them. Source: docs/decisions/0014-budget-of-1024.md.
+constexpr std::size_t default_size_limit(std::size_t tets) {
+  constexpr std::size_t kGrowth = 4, kRoom = 4'000'000;
+  return kGrowth * tets + kRoom;
 }
 
 struct ExtractionOptions {
@@ -91,6 +99,9 @@ struct ExtractionOptions {
   /// Bisections that one tet of the input may ask for before it is reported as unresolved. Nothing:
   /// `default_budget`.
   std::optional<std::uint32_t> max_bisections;
+  /// Tets of the refined mesh: no round of bisections starts with more, and what is open then is
+  /// reported as unresolved. Bounds memory; 0: no limit. Nothing: `default_size_limit`.
+  std::optional<std::size_t> max_tets;
   /// Further refinement of what is certified (`RefineOptions::wish`). May be empty.
   LeafWish wish;
   /// 0: all cores.

@@ -45,7 +45,7 @@ struct RefineOptions {
   PeriodicAxes periodic{};
   /// Certify stacked sheets: edges may be crossed twice (`RefinedComplex::doubles`).
   bool stacks = false;
-  /// No further round starts with more tets than this; bounds memory.
+  /// No further round starts with more tets than this; bounds memory. 0: no limit.
   std::size_t max_tets = 0;
   /// Asked about leaves without open features; for what it wants, each tet of the input has as many
   /// bisections again. May be empty.
@@ -72,7 +72,7 @@ struct RefinedComplex {
   std::vector<Leaf> leaves;
   PeriodicCopies copies;  ///< on opposite sides
   std::vector<NodeVertex> nodes;
-  std::vector<DoubleCrossing> doubles;  ///< sorted; some of their edges may be no more
+  std::vector<DoubleCrossing> doubles;   ///< sorted; some of their edges may be no more
   std::vector<std::uint32_t> asked_for;  ///< per tet of the input: bisections that it asked for
   std::uint64_t rounds = 0, bisections = 0;
   bool hit_size_limit = false;
