@@ -121,8 +121,8 @@ TEST(SpineOnEdge, IsFoundExactlyWhereItIsPlanted) {
 TEST(SpineOnFace, HoldsThreePlantedPointsAndOnlyZeros) {
   constexpr std::array<FacePoint, 3> kPlanted = {
       {{0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5}}};
-  constexpr double kDrawn =
-      1e-6;  // places are in doubles and claim nothing; other zeros are much farther away
+  // Places are in doubles and claim nothing; other zeros are much farther away.
+  constexpr double kDrawn = 1e-6;
   Planting planting(2);
   int known = 0, more = 0, asked = 0;
   for (int n = 0; n < 1000; ++n) {
