@@ -132,8 +132,7 @@ AuditResult compare_roads(const TensorField& field, const RequestedFeatures& req
   AuditResult result;
   result.table = requested.table;
   result.tets = field.mesh.tets.size();
-  result.max_bisections = extraction.refinement.max_bisections;
-  result.max_tets = extraction.refinement.max_tets;
+  result.refinement = extraction.refinement;
   const Domain domain(field);
   for (const Feature f : reading_order(requested.set)) {
     if (contains(extraction.curves, f)) {

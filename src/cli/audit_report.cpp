@@ -164,8 +164,8 @@ Json audit_json(const AuditRequest& request, const AuditResult& result) {
                   {"max_depth", request.max_depth},
                   {"samples", request.samples},
                   {"layers_only", request.layers_only},
-                  {"max_bisections", result.max_bisections},
-                  {"max_tets", result.max_tets},
+                  {"max_bisections", result.refinement.max_bisections},
+                  {"max_tets", result.refinement.max_tets},
                   {"threads", request.effort.threads}});
   return {{"version", kVersion},
           {"field", {{"file", request.field}, {"tets", result.tets}}},

@@ -10,6 +10,7 @@
 
 #include "effort_options.hpp"
 #include "feature_list.hpp"
+#include "triplex/extract/extraction.hpp"
 #include "triplex/feature/feature_table.hpp"
 #include "triplex/io/read_field.hpp"
 #include "triplex/verify/audit.hpp"
@@ -52,8 +53,7 @@ struct RoadCost {
 struct AuditResult {
   FeatureTable table;
   std::size_t tets = 0;
-  std::uint32_t max_bisections = 0;
-  std::uint64_t max_tets = 0;
+  RefinementStatistics refinement;     ///< of the certified road
   std::vector<FeatureAudit> features;  ///< in reading order
   std::vector<Feature> left_out;       ///< curves on one side and surfaces on the other
   std::vector<Difference> differences;

@@ -14,9 +14,8 @@ void add_effort_options(CLI::App& command, EffortOptions& options) {
   command
       .add_option("--max-tets", options.max_tets,
                   "Tets of the refined mesh beyond which nothing is bisected and what is open is "
-                  "listed as unresolved; about 450 bytes of memory each; 0: no limit; without it 4 "
-                  "times the "
-                  "tets of the field plus 4 million")
+                  "listed as unresolved; about 450 bytes of memory each; 0: no limit; without it "
+                  "4 times the tets of the field plus 4 million")
       ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000'000}))
       ->type_name("N");
   command.add_option("--threads", options.threads, "Threads; 0: all cores")

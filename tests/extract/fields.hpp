@@ -44,6 +44,21 @@ inline Tensor<double> negated(Tensor<double> t) {
   for (double& x : t) x = -x;
   return t;
 }
+/// The standard feature of -T where T has this one: linear and planar are exchanged.
+inline Feature of_negative(Feature f) {
+  switch (f) {
+    case Feature::DegenerateLinear:
+      return Feature::DegeneratePlanar;
+    case Feature::DegeneratePlanar:
+      return Feature::DegenerateLinear;
+    case Feature::BalancedLinear:
+      return Feature::BalancedPlanar;
+    case Feature::BalancedPlanar:
+      return Feature::BalancedLinear;
+    default:
+      return f;
+  }
+}
 inline Tensor<double> transposed(const Tensor<double>& t) {
   return {t[0], t[3], t[6], t[1], t[4], t[7], t[2], t[5], t[8]};
 }

@@ -12,6 +12,7 @@
 #include "../../src/quadric/spine_free.hpp"
 #include "../../src/quadric/spine_on_face.hpp"
 #include "form_fields.hpp"
+#include "triplex/tensor/invariants.hpp"
 
 namespace triplex {
 namespace {
@@ -85,20 +86,14 @@ std::array<double, 2> invariants_at(const TensorField& field, const FacePoint& x
   Tensor<double> t{};
   for (std::size_t v = 0; v < 3; ++v)
     for (std::size_t k = 0; k < 9; ++k) t[k] += x[v] * field.tensors[v][k];
-  const double mean = (t[0] + t[4] + t[8]) / 3;
-  for (const std::size_t k : {0, 4, 8}) t[k] -= mean;
-  double length = 0;
-  for (std::size_t k = 0; k < 9; ++k) length += t[k] * t[k];
-  for (double& c : t) c /= std::sqrt(length);
-  const double p =
-      -(t[0] * t[0] + t[4] * t[4] + t[8] * t[8]) / 2 - t[1] * t[3] - t[2] * t[6] - t[5] * t[7];
-  const double q = t[0] * (t[4] * t[8] - t[5] * t[7]) - t[1] * (t[3] * t[8] - t[5] * t[6]) +
-                   t[2] * (t[3] * t[7] - t[4] * t[6]);
-  return {std::fabs(p), std::fabs(q)};
+  const double length = magnitude_approx(deviator_approx(t));
+  return {std::fabs(minor_approx(t)) / std::pow(length, 2),
+          std::fabs(det_approx(t)) / std::pow(length, 3)};
 }
 
 TEST(SpineOnEdge, IsFoundExactlyWhereItIsPlanted) {
   Planting planting(1);
+  int asked = 0;
   for (int n = 0; n < 500; ++n) {
     TensorField field = one_tet(kAroundOrigin);
     const Integers first = planting.tensor(), middle = planting.nilpotent();
@@ -106,6 +101,7 @@ TEST(SpineOnEdge, IsFoundExactlyWhereItIsPlanted) {
     field.tensors[1] = sum({{2, middle}, {-1, first}});
     const EdgeCut edge = cut_edge(SimplexForm<2>({}, field, {kCorners[0], kCorners[1]}));
     if (edge.roots == 0) continue;  // p vanishes doubly
+    ++asked;
     const auto signs = detail::spine_signs(field, {kCorners[0], kCorners[1]}, edge);
     int zeros = 0;
     for (int k = 0; k < edge.roots; ++k)
@@ -115,6 +111,7 @@ TEST(SpineOnEdge, IsFoundExactlyWhereItIsPlanted) {
       }
     EXPECT_EQ(zeros, 1) << n;
   }
+  EXPECT_GT(asked, 400);
 }
 
 /// At the points (2,1,1)/4, (1,2,1)/4, (1,1,2)/4 of the face the tensor is nilpotent.
@@ -163,12 +160,9 @@ TEST(SpineOnFace, HoldsThreePlantedPointsAndOnlyZeros) {
       }
     }
   }
-  RecordProperty("asked", asked);
-  RecordProperty("known", known);
-  RecordProperty("more", more);
-  EXPECT_GT(asked, 200);
+  EXPECT_GT(asked, 700);
   EXPECT_GT(known, asked * 9 / 10);
-  EXPECT_GT(more, 10);
+  EXPECT_GT(more, known / 2);  // points that were not planted are found too
 }
 
 TEST(SpineFree, NeverHoldsWhereTheCurveIsPlanted) {
@@ -183,8 +177,7 @@ TEST(SpineFree, NeverHoldsWhereTheCurveIsPlanted) {
   }
 }
 
-/// Around tensors with p = 0 and eigenvalue l of 3 A: q - l p = l^3 holds where q has no sign in
-/// the tet.
+/// Of random tets in which the coefficients of q differ in sign, some have an L.
 TEST(SpineFree, HoldsWhereTheSignOfQIsNotEnough) {
   Planting planting(4);
   const IntervalRounding rounding;
@@ -200,8 +193,6 @@ TEST(SpineFree, HoldsWhereTheSignOfQIsNotEnough) {
     ++mixed;
     free += detail::is_free_of_spine(forms);
   }
-  RecordProperty("mixed", mixed);
-  RecordProperty("free", free);
   EXPECT_GT(free, mixed / 100);
 }
 
