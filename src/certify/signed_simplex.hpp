@@ -14,6 +14,7 @@
 #include "triplex/certify/nappe.hpp"
 #include "triplex/certify/pencil.hpp"
 #include "triplex/certify/star.hpp"
+#include "triplex/certify/zero_face.hpp"
 
 namespace triplex {
 
@@ -82,8 +83,11 @@ class SignedSimplex {
                         : sheet.kind == Sheet::Kind::Balanced ? sign_p() != Sign::Zero
                                                               : sign_q() != Sign::Zero;
     if (absent || (!at_node && certifies_graph(simplex_, sheet, stages_))) return true;
+    if (!at_node && certifies_graph_beside_zeros(simplex_, sheet, stages_)) return true;
     if constexpr (N == 3)
-      if (!curved) return certifies_saddle(simplex_, sheet, stages_);
+      if (!curved && certifies_saddle(simplex_, sheet, stages_)) return true;
+    if constexpr (N > 2)
+      if (!curved) return certifies_pencil(simplex_, sheet, stages_);
     if (curved && !near_spine && sheet.map.is_identity() && certifies_unperturbed(at_node))
       return true;
     if (at_node) return false;
@@ -93,11 +97,10 @@ class SignedSimplex {
     // Last, as they cost most. The sign of D is asked for by the tet itself, once for all sheets
     // with the same mode.
     if constexpr (N > 2) {
-      if (!curved) return false;
       if (N == 3 && uniform_sign_of_discriminant(simplex_, sheet.map, stages_) != Sign::Zero)
         return true;
       if (near_spine) return false;
-      return certifies_pencil(simplex_, sheet.map, stages_) ||
+      return certifies_pencil(simplex_, sheet, stages_) ||
              (sheet.map.is_identity() && has_nappes());
     }
   }

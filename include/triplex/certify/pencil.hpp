@@ -15,6 +15,6 @@ namespace triplex {
 /// vertices, as with the graph certificate, which this replaces where the surface is a narrow tube
 /// around an edge or a vertex. N = 3, 4 vertices. Proof: proofs/pencil.md.
 template <int N>
-bool certifies_pencil(const Simplex<N>& simplex, const ModeMap& map, SignStages& stages);
+bool certifies_pencil(const Simplex<N>& simplex, const Sheet& sheet, SignStages& stages);
 
 }  // namespace triplex
