@@ -13,11 +13,27 @@
 namespace triplex {
 namespace {
 
-constexpr std::array<std::array<int, 3>, 4> kFaces = {{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
-constexpr std::array<std::array<int, 2>, 6> kEdges = {
-    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+/// Local indices of N vertices; not deduced, the simplex beside it says N.
+template <int N>
+using Local = std::array<int, static_cast<std::size_t>(N + 0)>;
 
-constexpr std::array<int, 4> kWhole = {0, 1, 2, 3};
+constexpr std::array<Local<3>, 4> kFaces = {{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
+
+/// Those of a tet, or of a face.
+template <int N>
+constexpr std::array<Local<2>, N*(N - 1) / 2> edges_of() {
+  std::array<Local<2>, N*(N - 1) / 2> edges{};
+  std::size_t n = 0;
+  for (int i = 0; i < N; ++i)
+    for (int j = i + 1; j < N; ++j) edges[n++] = {i, j};
+  return edges;
+}
+template <int N>
+constexpr Local<N> whole() {
+  Local<N> all{};
+  for (int i = 0; i < N; ++i) all[static_cast<std::size_t>(i)] = i;
+  return all;
+}
 
 using SheetSet = std::uint32_t;
 constexpr SheetSet sheet_bit(int number) { return SheetSet{1} << number; }
@@ -25,12 +41,9 @@ constexpr SheetSet kSpineSheets = sheet_bit(kBalancedSheet) | sheet_bit(kNeutral
 
 constexpr FeatureSet kCurve = bit(Feature::TripleCurve);
 
-/// Local indices of N vertices; not deduced, the simplex beside it says N.
+/// Which of the requested features a tet may hold, or a face.
 template <int N>
-using Local = std::array<int, static_cast<std::size_t>(N + 0)>;
-
-/// Which of the requested features a tet may hold.
-FeatureSet possible_features(SignedSimplex<4>& cell, const FeatureTable& table,
+FeatureSet possible_features(SignedSimplex<N>& cell, const FeatureTable& table,
                              FeatureSet requested, SignStages& stages) {
   FeatureSet possible = requested;
   if (const Sign p = cell.sign_p(); p != Sign::Zero) possible &= table.with_sign_of_p(p);
@@ -49,10 +62,15 @@ FeatureSet possible_features(SignedSimplex<4>& cell, const FeatureTable& table,
   return possible;
 }
 
-/// The checks of one tet; remembers the first obstacle and every sheet that failed.
+/// The checks of one tet, or of the face that a tet is a cone over; remembers the first obstacle
+/// and every sheet that failed.
+template <int N>
 class CellCheck {
+  static constexpr bool kIsTet = N == 4;
+  static constexpr Obstacle kHere = kIsTet ? Obstacle::Cell : Obstacle::Face;
+
  public:
-  CellCheck(const RefinableField& field, const std::array<VertexId, 4>& vertices,
+  CellCheck(const RefinableField& field, const std::array<VertexId, N>& vertices,
             SectorTable sectors, const FeatureTable& table, FeatureSet requested,
             std::vector<DoubleCrossing>* stacks, SignStages& stages)
       : vertices_(vertices),
@@ -81,23 +99,33 @@ class CellCheck {
 
     needed_ = sheets_of_possible() | (has_spine_ ? kSpineSheets : 0);
 
-    check(Obstacle::Cell, cell_, kWhole);
+    check(kHere, cell_, whole<N>());
     if (failed_ & ~kSpineSheets) try_discriminants();
     if (possible_ == 0) return;
-    const SheetSet failed_in_cell = failed_;
-    std::array<SheetSet, 4> failed_on_face{};
-    std::array<SheetSet, 6> failed_on_edge{};
-    for (std::size_t f = 0; f < kFaces.size(); ++f) failed_on_face[f] = check_face(kFaces[f]);
+    FailedSheets failed{.cell = failed_};
+    if constexpr (kIsTet)
+      for (std::size_t f = 0; f < kFaces.size(); ++f) failed.faces[f] = check_face(kFaces[f]);
     for (std::size_t e = 0; e < kEdges.size(); ++e) {
       SignedSimplex<2> simplex(stages_, *cell_, kEdges[e]);
-      failed_on_edge[e] = check(Obstacle::Edge, simplex, kEdges[e]);
+      failed.edges[e] = check(Obstacle::Edge, simplex, kEdges[e]);
     }
-    if (has_spine_)
-      check_spine_in_cell();
-    else if (stacks_)
-      try_stacked_sheets(failed_in_cell, failed_on_face, failed_on_edge);
+    if constexpr (kIsTet) {
+      if (has_spine_)
+        check_spine_in_cell();
+      else if (stacks_)
+        try_stacked_sheets(failed);
+    } else if (has_spine_) {
+      check_injective(cell_, whole<N>());
+    }
     conclude();
   }
+
+  /// The sheets that are not certified, by simplex.
+  struct FailedSheets {
+    SheetSet cell = 0;
+    std::array<SheetSet, 4> faces{};
+    std::array<SheetSet, 6> edges{};
+  };
 
   void exclude(FeatureSet features) {
     result_.excluded |= possible_ & features;
@@ -123,7 +151,7 @@ class CellCheck {
     failed_ = 0;
     result_.obstacle = Obstacle::None;
     needed_ = sheets_of_possible() | (rotations_need_both_ ? kSpineSheets : 0);
-    check(Obstacle::Cell, cell_, kWhole);
+    check(kHere, cell_, whole<N>());
   }
 
   struct MapList {
@@ -155,16 +183,15 @@ class CellCheck {
   }
 
   /// The degenerate pages may have several discs in the tet, and two crossings on an edge.
-  void try_stacked_sheets(SheetSet failed_in_cell, const std::array<SheetSet, 4>& failed_on_face,
-                          const std::array<SheetSet, 6>& failed_on_edge) {
+  void try_stacked_sheets(const FailedSheets& failed) {
     for (const Feature page : {Feature::DegenerateLinear, Feature::DegeneratePlanar}) {
       const SheetSet sheet = sheet_bit(table_.sheet_number(page));
       if (!(failed_ & sheet) || (failed_ & kSpineSheets)) continue;
-      OneSheet known{.cell = !(failed_in_cell & sheet)};
+      OneSheet known{.cell = !(failed.cell & sheet)};
       for (std::size_t f = 0; f < known.faces.size(); ++f)
-        known.faces[f] = !(failed_on_face[f] & sheet);
+        known.faces[f] = !(failed.faces[f] & sheet);
       for (std::size_t e = 0; e < known.edges.size(); ++e) {
-        known.edges[e] = !(failed_on_edge[e] & sheet);
+        known.edges[e] = !(failed.edges[e] & sheet);
         known.crossed[e] = contains(pages_on(kEdges[e]), page);
       }
       const auto doubles = certify_stacked_sheets(*cell_, page, known, stages_);
@@ -174,19 +201,22 @@ class CellCheck {
     }
   }
 
-  SheetSet check_face(const std::array<int, 3>& local) {
+  SheetSet check_face(const Local<3>& local) {
     SignedSimplex<3> face(stages_, *cell_, local);
     const SheetSet failed = check(Obstacle::Face, face, local);
-    if (!has_spine_ || face.lacks_spine() || certifies_injective(*face, stages_)) return failed;
+    if (has_spine_) check_injective(face, local);
+    return failed;
+  }
+  void check_injective(SignedSimplex<3>& face, const Local<3>& local) {
+    if (face.lacks_spine() || certifies_injective(*face, stages_)) return;
     spine_failed_ = true;
     block(Obstacle::SpineFace, *face, local, {.p = true, .q = true});
-    return failed;
   }
 
   void check_spine_in_cell() {
     if (spine_points_on_faces() <= 2 && certifies_monotone_spine(*cell_, stages_)) return;
     spine_failed_ = true;
-    block(Obstacle::SpineCell, *cell_, kWhole, {.p = true, .q = true});
+    block(Obstacle::SpineCell, *cell_, whole<N>(), {.p = true, .q = true});
   }
 
   /// Faces around which (p, q) winds; more than any certified count where a rotation stays open.
@@ -208,8 +238,8 @@ class CellCheck {
   Sector sector(VertexId v) const { return static_cast<Sector>(sectors_[triplex::index(v)]); }
 
   /// The sheets that are not certified on a simplex.
-  template <int N>
-  SheetSet check(Obstacle obstacle, SignedSimplex<N>& simplex, const Local<N>& local) {
+  template <int M>
+  SheetSet check(Obstacle obstacle, SignedSimplex<M>& simplex, const Local<M>& local) {
     SheetSet failed = 0;
     for (std::size_t s = 0; s < table_.sheets().size(); ++s)
       if ((needed_ >> s & 1u) && !simplex.certifies(table_.sheets()[s], has_spine_))
@@ -223,8 +253,8 @@ class CellCheck {
     return failed;
   }
 
-  template <int N>
-  void block(Obstacle obstacle, const Simplex<N>& simplex, const Local<N>& local,
+  template <int M>
+  void block(Obstacle obstacle, const Simplex<M>& simplex, const Local<M>& local,
              const Measures& measures) {
     if (result_.obstacle != Obstacle::None) return;
     result_.obstacle = obstacle;
@@ -250,7 +280,7 @@ class CellCheck {
   }
 
   /// The pages that the rotation along an edge crosses; none if it is open.
-  FeatureSet pages_on(const std::array<int, 2>& edge) {
+  FeatureSet pages_on(const Local<2>& edge) {
     const VertexId a = vertices_[edge[0]], b = vertices_[edge[1]];
     if (sector(a) == sector(b)) return 0;
     const auto rotation =
@@ -279,12 +309,14 @@ class CellCheck {
     }
   }
 
-  const std::array<VertexId, 4>& vertices_;
+  static constexpr auto kEdges = edges_of<N>();
+
+  const std::array<VertexId, N>& vertices_;
   SectorTable sectors_;
   const FeatureTable& table_;
   std::vector<DoubleCrossing>* const stacks_;
   SignStages& stages_;
-  SignedSimplex<4> cell_;
+  SignedSimplex<N> cell_;
   FeatureSet possible_ = 0;
   SheetSet needed_ = 0, failed_ = 0;
   bool has_spine_ = false, spine_failed_ = false;
@@ -292,19 +324,43 @@ class CellCheck {
   CellCertificate result_;
 };
 
+/// What has no certificate, whatever is bisected.
+CellCertificate open_at(const RefinableField& field, VertexId v, FeatureSet requested) {
+  CellCertificate open;
+  open.open = requested;
+  open.obstacle = obstacle_at(field, v);
+  return open;
+}
+
+/// A tet with an isotropic vertex is a cone over the opposite face. \pre one of its vertices is
+/// isotropic
+CellCertificate certify_cone(const RefinableField& field, const std::array<VertexId, 4>& vertices,
+                             SectorTable sectors, const FeatureTable& table, FeatureSet requested,
+                             SignStages& stages) {
+  VertexId apex{};
+  std::array<VertexId, 3> base{};
+  std::size_t n = 0;
+  for (const VertexId v : vertices)
+    if (field.is_isotropic(v))
+      apex = v;
+    else if (n < base.size())
+      base[n++] = v;
+  const auto is_node = [&](VertexId v) { return field.is_node(v); };
+  if (n < base.size() || std::ranges::any_of(base, is_node)) return open_at(field, apex, requested);
+  return CellCheck<3>(field, base, sectors, table, requested, nullptr, stages).run();
+}
+
 }  // namespace
 
 CellCertificate certify_cell(const RefinableField& field, const std::array<VertexId, 4>& vertices,
                              SectorTable sectors, const FeatureTable& table, FeatureSet requested,
                              std::vector<DoubleCrossing>* stacks, SignStages& stages) {
-  for (const VertexId v : vertices) {
-    if (sectors[index(v)] != kOpenSector) continue;
-    CellCertificate open;
-    open.open = requested;
-    open.obstacle = obstacle_at(field, v);
-    return open;
-  }
-  return CellCheck(field, vertices, sectors, table, requested, stacks, stages).run();
+  for (const VertexId v : vertices)
+    if (sectors[index(v)] == kOpenSector) return open_at(field, v, requested);
+  if (field.has_isotropic_vertices() &&
+      std::ranges::any_of(vertices, [&](VertexId v) { return field.is_isotropic(v); }))
+    return certify_cone(field, vertices, sectors, table, requested, stages);
+  return CellCheck<4>(field, vertices, sectors, table, requested, stacks, stages).run();
 }
 
 }  // namespace triplex

@@ -109,7 +109,8 @@ struct GrowsAlong {
   }
 
   /// Per direction 2 Degree coefficients of f and 6 of P times 2 v, each with its error; 3 of both
-  /// with m. Roundings: differences 1, their sum 2, times 2 v 1, with Q 1, product 1, sum of three 2.
+  /// with m. Roundings: differences 1, their sum 2, times 2 v 1, with Q 1, product 1, sum of
+  /// three 2.
   double error_of(const FormBounds& b, double v) const {
     const bool q = Degree == 3;
     const double f = gamma(8) * (q ? b.q_magnitude : b.p_magnitude) + (q ? b.q_error : b.p_error);
@@ -195,8 +196,7 @@ std::array<ZeroFace, 10> zero_faces(const Forms<double, N>& f, double noise) {
 /// `range` is asked for by curved sheets only.
 template <std::size_t Degree, int N>
 bool certify(const Simplex<N>& simplex, const ModeMap& map, Sign sign_q, SignStages& stages) {
-  const double noise =
-      Degree == 3 ? simplex.bounds().q_error : simplex.bounds().p_error;
+  const double noise = Degree == 3 ? simplex.bounds().q_error : simplex.bounds().p_error;
   const auto faces = zero_faces<Degree>(simplex.approximate(), noise);
   if (faces[0].size == 0) return false;
 

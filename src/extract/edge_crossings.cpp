@@ -78,18 +78,24 @@ CrossedEdge EdgeCrossings::classify(const RefinableField& field,
   if (turn > pages / 2) turn -= pages;
   return {.ends = ends,
           .rotation = static_cast<std::int8_t>(rotation.value_or(turn)),
-          .open = !rotation,
+          // At an isotropic vertex any value serves: these crossings are all put there.
+          .open = !rotation && !field.is_isotropic(a) && !field.is_isotropic(b),
           .levels = labels_.inside_of(a) ^ labels_.inside_of(b),
           .doubles = labels_.doubles_on(ends)};
 }
 
-/// The degenerate page of a node at an end, in no plane that it might cross elsewhere.
-bool EdgeCrossings::crosses_at_node(const Simplex<2>& edge, Feature page) const {
+/// The end at which a page crosses: any page at an isotropic vertex; at a node its degenerate page,
+/// in no plane that it might cross elsewhere.
+std::optional<int> EdgeCrossings::end_crossed(const Simplex<2>& edge, Feature page) const {
+  for (int end = 0; end < 2; ++end)
+    if (edge.field().is_isotropic(edge.vertices()[static_cast<std::size_t>(end)])) return end;
   const int node = edge.node_vertex();
-  if (node == 2 || edge.block_axis() >= 0) return false;
+  if (node == 2 || edge.block_axis() >= 0) return {};
   const VertexId v = edge.vertices()[static_cast<std::size_t>(node)];
-  return page == (table_.sign_q(labels_.sector(v)) == Sign::Positive ? Feature::DegenerateLinear
-                                                                     : Feature::DegeneratePlanar);
+  const Feature at_node = table_.sign_q(labels_.sector(v)) == Sign::Positive
+                              ? Feature::DegenerateLinear
+                              : Feature::DegeneratePlanar;
+  return page == at_node ? std::optional(node) : std::nullopt;
 }
 
 void EdgeCrossings::set_crossing(const RefinableField& field, const Simplex<2>& edge,
@@ -109,9 +115,10 @@ void EdgeCrossings::locate(const RefinableField& field, const CrossedEdge& edge,
   };
   for (int i = 0; i < edge.pages(); ++i) {
     const Feature page = page_crossed(table_, labels_.sector(edge.ends[0]), edge.rotation, i);
-    set(page, !contains(features, page) ? EdgeRoot{}
-              : crosses_at_node(simplex, page)
-                  ? EdgeRoot{static_cast<double>(simplex.node_vertex()), 0}
+    const auto end = end_crossed(simplex, page);
+    set(page, end ? EdgeRoot{static_cast<double>(*end), 0}
+              : !contains(features, page)
+                  ? EdgeRoot{}
                   : find_crossing(simplex, table_, page, edge.rotation > 0));
   }
   for (FeatureSet rest = edge.levels; rest != 0; rest &= rest - 1) {

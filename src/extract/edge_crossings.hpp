@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "edge_root.hpp"
@@ -64,7 +65,7 @@ class EdgeCrossings {
  private:
   CrossedEdge classify(const RefinableField& field, const std::array<VertexId, 2>& ends,
                        SignStages& stages) const;
-  bool crosses_at_node(const Simplex<2>& edge, Feature page) const;
+  std::optional<int> end_crossed(const Simplex<2>& edge, Feature page) const;
   void locate(const RefinableField& field, const CrossedEdge& edge, FeatureSet features);
   void set_crossing(const RefinableField& field, const Simplex<2>& edge, Feature feature,
                     const EdgeRoot& root, Crossing& crossing) const;

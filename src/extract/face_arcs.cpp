@@ -90,6 +90,12 @@ FacePoint nearest_in_face(const FaceBox& box) {
 
 SpinePoint locate(const RefinableField& field, const std::array<VertexId, 3>& face) {
   constexpr double kThird = 1.0 / 3;
+  for (std::size_t i = 0; i < face.size(); ++i)
+    if (field.is_isotropic(face[i])) {
+      SpinePoint apex{.face = face, .coordinate_error = 0, .error = 0};
+      apex.barycentric[i] = 1;
+      return apex;
+    }
   SpinePoint point{.face = face, .barycentric = {kThird, kThird, kThird}};
   const Simplex<3> simplex(field, face);
   const auto guess = spine_point_approx(simplex);

@@ -29,7 +29,7 @@ FeatureMeshBuilder::FeatureMeshBuilder(const TensorField& input, const RefinedCo
       spine_points_(spine_points),
       stacks_(stacks),
       keep_tensors_(keep_tensors),
-      joined_(complex, crossings) {}
+      joined_(complex, crossings, spine_points) {}
 
 FeatureMeshBuilder::Built FeatureMeshBuilder::build(const std::vector<std::uint32_t>& active_leaves,
                                                     FeatureSet features, bool contracted) const {
@@ -57,24 +57,23 @@ void FeatureMeshBuilder::add_leaf(const Leaf& leaf, FeatureSet features, CellPat
   patches_of(leaf, crossings_, spine_points_, stacks_, features, patches);
   const std::int64_t source = input_.source_cell(leaf.input);
   for (const PatchLoop& loop : patches.loops) add_fan(loop, leaf, cells[index(loop.feature)]);
-  for (const auto& [a, b] : patches.spine)
+  for (const auto& [from, to] : patches.spine) {
+    const PatchVertex a = joined_(from), b = joined_(to);
+    if (common_number(a) == common_number(b)) continue;
     cells[index(Feature::TripleCurve)].push_back(
         {{a, b, b}, source, !contains(leaf.open, Feature::TripleCurve)});
+  }
 }
 
 void FeatureMeshBuilder::add_fan(const PatchLoop& loop, const Leaf& leaf,
                                  std::vector<Cell>& out) const {
   const std::int64_t source = input_.source_cell(leaf.input);
   const bool certified = !contains(leaf.open, loop.feature);
-  const auto joined = [&](PatchVertex v) {
-    if (!v.on_spine) v.number = joined_.joined[v.number];
-    return v;
-  };
-  const auto same = [](const PatchVertex& a, const PatchVertex& b) {
-    return a.on_spine == b.on_spine && a.number == b.number;
+  const auto same = [this](const PatchVertex& a, const PatchVertex& b) {
+    return common_number(a) == common_number(b);
   };
   for_each_triangle(loop, leaf, complex_.field, [&](PatchVertex a, PatchVertex b, PatchVertex c) {
-    a = joined(a), b = joined(b), c = joined(c);
+    a = joined_(a), b = joined_(b), c = joined_(c);
     if (!same(a, b) && !same(b, c) && !same(a, c)) out.push_back({{a, b, c}, source, certified});
   });
 }
@@ -141,7 +140,8 @@ Point FeatureMeshBuilder::position(const PatchVertex& v) const {
 
 void FeatureMeshBuilder::add_vertex(Feature feature, const PatchVertex& v,
                                     FeatureMesh& mesh) const {
-  const auto [p, q, mode] = v.on_spine ? kInvariantsOnTripleCurve : invariants(feature, v);
+  const bool on_curve = v.on_spine || feature == Feature::TripleCurve;
+  const auto [p, q, mode] = on_curve ? kInvariantsOnTripleCurve : invariants(feature, v);
   if (!v.on_spine && joined_.at_node[v.number])
     mesh.nodes.push_back(static_cast<std::uint32_t>(mesh.points.size()));
   mesh.points.push_back(position(v));
@@ -149,7 +149,7 @@ void FeatureMeshBuilder::add_vertex(Feature feature, const PatchVertex& v,
   mesh.q.push_back(q);
   mesh.mode.push_back(mode);
   if (feature == Feature::TripleCurve)
-    mesh.position_error.push_back(spine_points_.points()[v.number].error);
+    mesh.position_error.push_back(v.on_spine ? spine_points_.points()[v.number].error : 0);
   if (keep_tensors_) mesh.tensors.push_back(tensor(v));
 }
 
@@ -185,9 +185,12 @@ PatchVertex FeatureMeshBuilder::lowest_copy(Feature feature, const PatchVertex& 
   if (v.on_spine) {
     number = spine_points_.find(complex_.copies.lowest(spine_points_.points()[v.number].face));
   } else {
+    const auto is_isotropic = [&](VertexId end) { return complex_.field.is_isotropic(end); };
     const auto ends = complex_.copies.lowest(crossings_.edges()[joined_.edge_of[v.number]].ends);
     if (const CrossedEdge* edge = crossings_.find(ends[0], ends[1]))
-      number = crossings_.crossing_of(*edge, feature);
+      number = std::ranges::any_of(ends, is_isotropic)
+                   ? static_cast<int>(joined_.joined[edge->first])
+                   : crossings_.crossing_of(*edge, feature);
   }
   return number < 0 ? v : PatchVertex{static_cast<std::uint32_t>(number), v.on_spine};
 }

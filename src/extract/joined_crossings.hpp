@@ -5,18 +5,27 @@
 #include <cstdint>
 #include <vector>
 
-#include "edge_crossings.hpp"
+#include "cell_patches.hpp"
 
 namespace triplex {
 
-/// Where each crossing lies, and which of them are one point: the edges from a node into the
-/// complex domain all cross the surface at the node.
+/// Where each crossing lies, and which vertices of patches are one point: the edges from a node
+/// into the complex domain all cross the surface at the node; at an isotropic vertex all pages and
+/// the triple degenerate curve meet.
 struct JoinedCrossings {
-  JoinedCrossings(const RefinedComplex& complex, const EdgeCrossings& crossings);
+  JoinedCrossings(const RefinedComplex& complex, const EdgeCrossings& crossings,
+                  const FaceSpinePoints& spine_points);
 
   std::vector<std::uint32_t> edge_of;  ///< crossing -> its edge
   std::vector<std::uint32_t> joined;   ///< crossing -> the first one at the same node, else itself
-  std::vector<bool> at_node;           ///< per crossing
+  std::vector<bool> at_node;           ///< per crossing: at a node or an isotropic vertex
+
+  /// The one that stands for all that are the same point.
+  PatchVertex operator()(PatchVertex v) const;
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  std::vector<std::uint32_t> of_spine_point_;  // the crossing that stands for it, or kNone
 };
 
 }  // namespace triplex

@@ -46,7 +46,7 @@ class Builder {
         complex_(complex),
         crossings_(crossings),
         spine_points_(spine_points),
-        joined_(complex, crossings),
+        joined_(complex, crossings, spine_points),
         number_(crossings.crossings().size() + spine_points.points().size(), kUnused) {}
 
   void add_leaves(const std::vector<std::uint32_t>& active, FeatureSet features) {
@@ -103,16 +103,20 @@ class Builder {
 
   /// The number of a corner, which is made when it is first met.
   std::uint32_t corner(PatchVertex v) {
-    if (!v.on_spine) v.number = joined_.joined[v.number];
+    v = joined_(v);
     const std::size_t slot =
         v.on_spine ? crossings_.crossings().size() + v.number : std::size_t{v.number};
     if (number_[slot] == kUnused) {
       number_[slot] = static_cast<std::uint32_t>(result_.corners.size());
       result_.corners.push_back(v.on_spine ? corner_on_face(v.number) : corner_on_edge(v.number));
-      features_.push_back(v.on_spine ? Feature::TripleCurve
-                                     : crossings_.crossings()[v.number].feature);
+      features_.push_back(v.on_spine || is_isotropic(result_.corners.back())
+                              ? Feature::TripleCurve
+                              : crossings_.crossings()[v.number].feature);
     }
     return number_[slot];
+  }
+  bool is_isotropic(const PatchCorner& corner) const {
+    return corner.vertices == 1 && complex_.field.is_isotropic(corner.carrier[0]);
   }
   PatchCorner corner_on_face(std::uint32_t number) const {
     const SpinePoint& point = spine_points_.points()[number];
@@ -136,7 +140,8 @@ class Builder {
             crossing.error < 1 ? crossing.error * length : std::numeric_limits<double>::infinity()};
   }
 
-  /// The crossings at a node are one corner: what runs between two of them is no arc.
+  /// The crossings at a node, or isotropic vertex, are one corner: what runs between two of them is
+  /// no arc.
   void add_patch(const Leaf& leaf, const PatchLoop& loop) {
     const bool certified = !contains(leaf.open, loop.feature);
     const std::size_t first = slots_.size();
@@ -164,6 +169,7 @@ class Builder {
 
   void add_curve_piece(const Leaf& leaf, const PatchVertex& from, const PatchVertex& to) {
     const std::uint32_t a = corner(from), b = corner(to);
+    if (a == b) return;
     const bool certified = !contains(leaf.open, Feature::TripleCurve);
     pieces_.push_back({in_cell(leaf, a, b), 0, certified});
     result_.curve.push_back({{0, a > b}, leaf.input, input_.source_cell(leaf.input), certified});

@@ -37,8 +37,9 @@ std::optional<std::array<VertexId, 2>> edge_of_needle(const RefinableField& fiel
                                                       const Leaf& leaf) {
   // An edge is never longer than those of the input's tet, so a leaf of few bisections is none.
   if (std::exp2(leaf.depth / 3.0) <= kLongest) return {};
-  const auto is_enclosed = [&](VertexId v) { return field.is_enclosed(v); };
-  if (std::ranges::any_of(leaf.vertices, is_enclosed)) return {};
+  // The tets at an isotropic vertex are needles by right: only the opposite face is refined.
+  const auto is_special = [&](VertexId v) { return field.is_enclosed(v) || field.is_isotropic(v); };
+  if (std::ranges::any_of(leaf.vertices, is_special)) return {};
   const Edge edge = longest_edge_approx(field, leaf.vertices);
   const Edge whole = longest_edge_approx(field, field.input_tets()[index(leaf.input)]);
   // A bisection about halves the volume; this is a choice of edges, not a bound.

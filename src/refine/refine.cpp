@@ -15,6 +15,7 @@
 
 #include "bisection.hpp"
 #include "exact_points.hpp"
+#include "isotropic_vertices.hpp"
 #include "leaf_lookup.hpp"
 #include "needle.hpp"
 #include "node_stars.hpp"
@@ -127,6 +128,8 @@ class Refinement {
         });
     for (const auto& found : nodes)
       for (const VertexId v : found) declare_node(v);
+    for (const VertexId v : isotropic_vertices(complex_.field, first))
+      complex_.field.declare_isotropic(v);
   }
 
   /// A node is a feature of T itself: it gets the label of T, not of T + eps B.

@@ -118,6 +118,12 @@ class RefinableField {
   bool is_node(VertexId v) const {
     return (!nodes_.empty() && nodes_.contains(v)) || (is_enclosed(v) && enclosed_.at(v).node == v);
   }
+  /// Declares a vertex to be isotropic: its deviator is exactly zero, and around it each tet's field
+  /// is a cone over the opposite face. T + eps B is meant without B there. Source:
+  /// proofs/isotropic_vertex.md.
+  void declare_isotropic(VertexId v) { isotropic_.insert(v); }
+  bool is_isotropic(VertexId v) const { return !isotropic_.empty() && isotropic_.contains(v); }
+  bool has_isotropic_vertices() const { return !isotropic_.empty(); }
   /// On planes of symmetry and at free-slip walls tensors are block triangular. Bit k (bit 3 + k):
   /// the two entries beside the diagonal in column (row) k are exactly zero, at all vertices of the
   /// input that this one is combined of.
@@ -184,7 +190,7 @@ class RefinableField {
   std::size_t enclosed_from_ = 0;                                  // no vertex before is
   std::unordered_map<VertexId, Rational> rational_;
   std::size_t rational_from_ = 0;  // no vertex before is
-  std::unordered_set<VertexId> nodes_;
+  std::unordered_set<VertexId> nodes_, isotropic_;
   int scale_exponent_ = 0;
   /// Per axis: edges of the faces of the input that lie in its mirror planes, ascending and sorted.
   std::array<std::vector<std::array<VertexId, 2>>, 3> mirror_edges_;
