@@ -224,7 +224,8 @@ TEST(BlockPlane, PencilsFromThePlaneMeetTheSurfaceOnce) {
       continue;
     }
     ++certified;
-    const bool only_so = touches(field, v) && !certifies_pencil(cell, degenerate_sheet(), stages) &&
+    const bool only_so = touches(field, v) &&
+                         !certifies_pencil(cell, Sheet{.kind = Sheet::Kind::Curved}, stages) &&
                          !certifies_real_off_block(cell, stages);
     touching += only_so;
     crossed += only_so && sign_of_d(field, v, {0, 0, 0, 1}) == Sign::Negative;

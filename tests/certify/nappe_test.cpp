@@ -148,7 +148,7 @@ TEST_F(NappeTest, HoldsNearlyCrossingSheets) {
     EXPECT_GT(p.with_gap, 0);
     EXPECT_FALSE(
         certifies_graph(tet.cell(), FeatureTable().sheet(Feature::DegeneratePlanar), stages_));
-    EXPECT_FALSE(certifies_pencil(tet.cell(), ModeMap{}, stages_));
+    EXPECT_FALSE(certifies_pencil(tet.cell(), Sheet{.kind = Sheet::Kind::Curved}, stages_));
   }
 }
 

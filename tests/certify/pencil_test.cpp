@@ -55,7 +55,9 @@ int changes_of_best_split(const Simplex<N>& simplex, Random& random) {
 
 class PencilTest : public testing::Test {
  protected:
-  bool certified(const auto& simplex) { return certifies_pencil(simplex, ModeMap{}, stages_); }
+  bool certified(const auto& simplex) {
+    return certifies_pencil(simplex, Sheet{.kind = Sheet::Kind::Curved}, stages_);
+  }
   SignStages stages_;
 };
 

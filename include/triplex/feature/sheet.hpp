@@ -25,7 +25,7 @@ struct Sheet {
   enum class Kind : std::uint8_t { Balanced, Neutral, Curved };
   Kind kind = Kind::Balanced;
   Sign sign_p = Sign::Zero, sign_q = Sign::Zero;  ///< of the page on a curved sheet
-  ModeMap map;                                    ///< of a curved sheet
+  ModeMap map{};                                  ///< of a curved sheet
 };
 inline constexpr int kFlatSheets = 2;  ///< Balanced and Neutral, first in every table
 inline constexpr int kBalancedSheet = 0, kNeutralSheet = 1;
