@@ -15,10 +15,10 @@
 
 #include "bisection.hpp"
 #include "exact_points.hpp"
-#include "isotropic_vertices.hpp"
 #include "leaf_lookup.hpp"
 #include "needle.hpp"
 #include "node_stars.hpp"
+#include "triplex/certify/isotropic.hpp"
 #include "triplex/certify/sweep.hpp"
 
 namespace triplex {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Triplex authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "isotropic_vertices.hpp"
+#include "triplex/certify/isotropic.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
