@@ -87,6 +87,11 @@ class Builder {
     std::map<CornerKey, std::uint32_t> corners;
     for (std::uint32_t n = 0; n < result_.corners.size(); ++n)
       corners.emplace(CornerKey{result_.corners[n].carrier, features_[n]}, n);
+    // Of copies of a vertex the lowest may be no corner: the least of those that are stands for it.
+    const std::map<CornerKey, std::uint32_t> present = corners;
+    for (const auto& [key, n] : present)
+      if (result_.corners[n].vertices == 1)
+        corners.emplace(CornerKey{lowest(result_.corners[n]), key.second}, n);
     for (std::uint32_t n = 0; n < result_.corners.size(); ++n) {
       const auto found = corners.find({lowest(result_.corners[n]), features_[n]});
       result_.corner_originals.push_back(found == corners.end() ? n : found->second);

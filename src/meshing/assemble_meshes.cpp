@@ -21,9 +21,13 @@ void identify_corners(const PatchComplex& complex, const std::vector<std::uint32
   if (complex.corner_originals.empty()) return;
   mesh.identified.resize(mesh.points.size());
   std::iota(mesh.identified.begin(), mesh.identified.end(), 0u);
+  // A surface may meet copies of a vertex without the original: the first that it meets then is.
+  std::vector<std::uint32_t> originals = of_corner;
   for (std::size_t n = 0; n < of_corner.size(); ++n) {
-    const std::uint32_t original = of_corner[complex.corner_originals[n]];
-    if (of_corner[n] != kUnused && original != kUnused) mesh.identified[of_corner[n]] = original;
+    if (of_corner[n] == kUnused) continue;
+    std::uint32_t& original = originals[complex.corner_originals[n]];
+    if (original == kUnused) original = of_corner[n];
+    mesh.identified[of_corner[n]] = original;
   }
 }
 

@@ -309,7 +309,7 @@ class ZeroFaceTest : public testing::Test {
 
 TEST_F(ZeroFaceTest, LinesCrossTheNeutralSheetOnce) {
   const Sheet sheet = table().sheet(Feature::NeutralReal);
-  EXPECT_GT(check_all<4>(sheet, 3, 100, 1).alone, 20);
+  EXPECT_GT(check_all<4>(sheet, 3, 100, 1).alone, 35);
   EXPECT_GT(check_all<4>(sheet, 2, 100, 2).certified, 20);
   EXPECT_GT(check_all<3>(sheet, 3, 100, 3).alone, 20);
   EXPECT_GT(check_all<3>(sheet, 2, 100, 4).alone, 20);
@@ -318,7 +318,7 @@ TEST_F(ZeroFaceTest, LinesCrossTheNeutralSheetOnce) {
 
 TEST_F(ZeroFaceTest, LinesCrossTheBalancedSheetOnce) {
   const Sheet sheet = table().sheet(Feature::BalancedLinear);
-  EXPECT_GT(check_all<4>(sheet, 3, 100, 1).alone, 20);
+  EXPECT_GT(check_all<4>(sheet, 3, 100, 1).alone, 35);
   EXPECT_GT(check_all<4>(sheet, 2, 100, 2).certified, 20);
   EXPECT_GT(check_all<3>(sheet, 3, 100, 3).alone, 20);
   EXPECT_GT(check_all<3>(sheet, 2, 100, 4).alone, 20);

@@ -7,12 +7,11 @@
 
 namespace triplex {
 
-/// Graph certificate beside zeros: p or q vanishes throughout an edge or a face of the simplex, as q
-/// does on planes of antisymmetry. For some direction d in that edge or face and some number mu,
-/// d . grad f + mu f > 0 on the simplex, by its Bernstein coefficients under the perturbation; so f
-/// exp(mu s) grows along d, and f vanishes at most once on each line, as `certifies_graph` claims.
-/// Proof: proofs/graph.md.
-/// \pre `sheet` is not curved
+/// Graph certificate beside zeros: p or q vanishes throughout an edge or a face of the simplex, as
+/// q does on planes of antisymmetry. For some direction d in that edge or face and some number mu,
+/// d . grad f + mu f > 0 on the simplex (f = p, q, or G of a curved sheet), by its Bernstein
+/// coefficients under the perturbation; so f exp(mu s) grows along d, and f vanishes at most once
+/// on each line, as `certifies_graph` claims. Proof: proofs/graph.md.
 template <int N>
 bool certifies_graph_beside_zeros(const Simplex<N>& simplex, const Sheet& sheet,
                                   SignStages& stages);

@@ -81,7 +81,8 @@ struct PatchComplex {
   std::vector<CurvePiece> curve;  ///< if the triple degenerate curve was asked for
   /// Of a periodic domain, else empty. Per corner: the one that it is a copy of (itself, if of
   /// none). Originals lie on no high side, and all they are and have is that of their copies, but
-  /// for the coordinate across the side.
+  /// for the coordinate across the side. Only at a vertex no corner may lie on the low sides: the
+  /// original is then the least of those that there are.
   std::vector<std::uint32_t> corner_originals;
   std::vector<ArcOriginal> arc_originals;  ///< the same per arc
 
