@@ -4,6 +4,9 @@
 // Meshes within a tolerance on domains whose opposite sides are one.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 #include "../extract/periodic_fields.hpp"
 #include "triplex/extract/extraction.hpp"
 #include "triplex/meshing/mesh_patches.hpp"
@@ -107,6 +110,37 @@ TEST(PeriodicPatches, RefinementOfOnePatchReachesTheOtherSide) {
   const SurfaceTopology t = surface_topology(glued(mesh.triangles, mesh), mesh.points.size());
   EXPECT_EQ(t.boundary_edges, after.features[index(Feature::TripleCurve)].segments.size());
   EXPECT_EQ(t.nonmanifold_edges, 0u);
+}
+
+/// At a vertex whose deviator is zero the surfaces are cones; copies of it are one point of each,
+/// also of those that do not meet the lowest copy.
+TEST(PeriodicPatches, IsotropicVerticesAreOnePointOfEachPage) {
+  TensorField field = periodic_noise(3, kAll);
+  field.tensors[0] = {2, 0, 0, 0, 2, 0, 0, 0, 2};
+  make_periodic(field, 3, kAll);
+  const auto [extraction, patches] = meshed(field, kAll, {0.02, true});
+  const FeatureMesh& curve = patches.features[index(Feature::TripleCurve)];
+  const auto is_copy = [](const Point& x) {
+    return std::ranges::all_of(x, [](double c) { return c == 0 || c == 1; });
+  };
+  for (const FeatureRow& row : extraction.table.rows()) {
+    if (row.kind != FeatureKind::Page) continue;
+    SCOPED_TRACE(row.name);
+    const FeatureMesh& mesh = patches.features[index(row.feature)];
+    std::set<std::uint32_t> originals;
+    std::size_t copies = 0;
+    for (std::uint32_t v = 0; v < mesh.points.size(); ++v)
+      if (is_copy(mesh.points[v])) {
+        ++copies;
+        originals.insert(mesh.identified[v]);
+      }
+    EXPECT_GT(copies, 1u);
+    EXPECT_EQ(originals.size(), 1u);
+    const SurfaceTopology t = surface_topology(glued(mesh.triangles, mesh), mesh.points.size());
+    EXPECT_EQ(t.boundary_edges, curve.segments.size());
+    EXPECT_EQ(t.nonmanifold_edges, 0u);
+    EXPECT_EQ(t.orientation_conflicts, 0u);
+  }
 }
 
 }  // namespace
