@@ -116,13 +116,13 @@ TEST(PeriodicPatches, RefinementOfOnePatchReachesTheOtherSide) {
 /// also of those that do not meet the lowest copy.
 TEST(PeriodicPatches, IsotropicVerticesAreOnePointOfEachPage) {
   TensorField field = periodic_noise(3, kAll);
-  field.tensors[0] = {2, 0, 0, 0, 2, 0, 0, 0, 2};
-  make_periodic(field, 3, kAll);
+  test::set_isotropic_corner(field, 3);
   const auto [extraction, patches] = meshed(field, kAll, {0.02, true});
   const FeatureMesh& curve = patches.features[index(Feature::TripleCurve)];
   const auto is_copy = [](const Point& x) {
     return std::ranges::all_of(x, [](double c) { return c == 0 || c == 1; });
   };
+  std::size_t most = 0;
   for (const FeatureRow& row : extraction.table.rows()) {
     if (row.kind != FeatureKind::Page) continue;
     SCOPED_TRACE(row.name);
@@ -133,14 +133,16 @@ TEST(PeriodicPatches, IsotropicVerticesAreOnePointOfEachPage) {
       if (is_copy(mesh.points[v])) {
         ++copies;
         originals.insert(mesh.identified[v]);
+        EXPECT_NE(mesh.points[v], (Point{0, 0, 0}));
       }
-    EXPECT_GT(copies, 1u);
+    most = std::max(most, copies);
     EXPECT_EQ(originals.size(), 1u);
     const SurfaceTopology t = surface_topology(glued(mesh.triangles, mesh), mesh.points.size());
     EXPECT_EQ(t.boundary_edges, curve.segments.size());
     EXPECT_EQ(t.nonmanifold_edges, 0u);
     EXPECT_EQ(t.orientation_conflicts, 0u);
   }
+  EXPECT_GT(most, 2u);
 }
 
 }  // namespace
