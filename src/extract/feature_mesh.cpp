@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <utility>
 
 #include "patch_fan.hpp"
 #include "triplex/feature/invariants_on.hpp"
@@ -109,21 +107,10 @@ FeatureMesh FeatureMeshBuilder::assemble(Feature feature, const std::vector<Cell
 
   if (!complex_.copies.empty()) {
     mesh.identified.resize(mesh.points.size());
-    // A page may meet a vertex's copies without the lowest: one stands for those that it meets.
-    std::map<VertexId, std::pair<VertexId, std::uint32_t>> at_copies;  // by the lowest copy
-    for (std::uint32_t n = 0; n < of_crossing.size(); ++n) {
-      if (of_crossing[n] == kUnused || !joined_.at_node[n]) continue;
-      const std::pair point(vertex_at(n), n);
-      const auto [at, is_new] = at_copies.emplace(lowest_copy_of(point.first), point);
-      if (!is_new) at->second = std::min(at->second, point);
-    }
     const auto identify = [&](const std::vector<std::uint32_t>& numbers, bool on_spine) {
       for (std::uint32_t n = 0; n < numbers.size(); ++n) {
         if (numbers[n] == kUnused) continue;
-        const bool at_vertex = !on_spine && joined_.at_node[n];
-        const std::uint32_t copy =
-            at_vertex ? of_crossing[at_copies.at(lowest_copy_of(vertex_at(n))).second]
-                      : slot(lowest_copy(feature, {n, on_spine}));
+        const std::uint32_t copy = slot(lowest_copy(feature, {n, on_spine}));
         mesh.identified[numbers[n]] = copy == kUnused ? numbers[n] : copy;
       }
     };
@@ -191,15 +178,6 @@ Tensor<double> FeatureMeshBuilder::tensor(const PatchVertex& v) const {
   return sum;
 }
 
-VertexId FeatureMeshBuilder::vertex_at(std::uint32_t crossing) const {
-  const auto& ends = crossings_.edges()[joined_.edge_of[crossing]].ends;
-  return ends[crossings_.crossings()[crossing].t == 0 ? 0 : 1];
-}
-
-VertexId FeatureMeshBuilder::lowest_copy_of(VertexId v) const {
-  return complex_.copies.lowest(std::array{v})[0];
-}
-
 /// The vertex of the lowest periodic copy of the edge or face that a vertex lies on; itself, if
 /// that is none of the mesh.
 PatchVertex FeatureMeshBuilder::lowest_copy(Feature feature, const PatchVertex& v) const {
@@ -207,9 +185,12 @@ PatchVertex FeatureMeshBuilder::lowest_copy(Feature feature, const PatchVertex& 
   if (v.on_spine) {
     number = spine_points_.find(complex_.copies.lowest(spine_points_.points()[v.number].face));
   } else {
+    const auto is_isotropic = [&](VertexId end) { return complex_.field.is_isotropic(end); };
     const auto ends = complex_.copies.lowest(crossings_.edges()[joined_.edge_of[v.number]].ends);
     if (const CrossedEdge* edge = crossings_.find(ends[0], ends[1]))
-      number = crossings_.crossing_of(*edge, feature);
+      number = std::ranges::any_of(ends, is_isotropic)
+                   ? static_cast<int>(joined_.joined[edge->first])
+                   : crossings_.crossing_of(*edge, feature);
   }
   return number < 0 ? v : PatchVertex{static_cast<std::uint32_t>(number), v.on_spine};
 }

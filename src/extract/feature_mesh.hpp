@@ -53,9 +53,6 @@ class FeatureMeshBuilder {
   std::array<double, 3> invariants(Feature feature, const PatchVertex& v) const;
   Tensor<double> tensor(const PatchVertex& v) const;
   PatchVertex lowest_copy(Feature feature, const PatchVertex& v) const;
-  /// \pre the crossing lies at a node or an isotropic vertex
-  VertexId vertex_at(std::uint32_t crossing) const;
-  VertexId lowest_copy_of(VertexId v) const;
 
   const TensorField& input_;
   const RefinedComplex& complex_;

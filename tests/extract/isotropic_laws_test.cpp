@@ -40,7 +40,7 @@ void expect_same_geometry(const Extraction& a, const Extraction& b) {
   }
 }
 
-TEST(IsotropicVertex, NeitherScaleNorThreadsNorNumberingMatter) {
+TEST(IsotropicLaws, NeitherScaleNorThreadsNorNumberingMatter) {
   const TensorField field = with_isotropic(random_field(4), kOnSide);
   ExtractionOptions options;
   options.max_bisections = 64;
@@ -83,7 +83,7 @@ Link link_of(const FeatureMesh& mesh, const Point& place) {
   return {t.closed, t.components - t.closed};
 }
 
-TEST(IsotropicVertex, NegativesExchangeLinearAndPlanar) {
+TEST(IsotropicLaws, NegativesExchangeLinearAndPlanar) {
   int loops = 0, arcs = 0;
   for (const Case& c : {Case{1, kInside}, Case{4, kOnSide}}) {
     SCOPED_TRACE(c);
@@ -157,7 +157,7 @@ TensorField with_shell(const TensorField& field, std::uint32_t apex) {
 }
 
 /// A cone is the same cone at half its height, where no tet around it has the vertex.
-TEST(IsotropicVertex, TheSameFieldOnAnotherMeshHasTheSameTopology) {
+TEST(IsotropicLaws, TheSameFieldOnAnotherMeshHasTheSameTopology) {
   for (const Case& c : {Case{1, kInside}, Case{4, kOnSide}, Case{9, kOnEdge}}) {
     SCOPED_TRACE(c);
     const TensorField field = with_isotropic(random_field(c.seed), c.place);
@@ -180,7 +180,7 @@ TEST(IsotropicVertex, TheSameFieldOnAnotherMeshHasTheSameTopology) {
 }
 
 /// Pages of any mode, and level sets, which know nothing of the vertex.
-TEST(IsotropicVertex, ModePagesAreConesToo) {
+TEST(IsotropicLaws, ModePagesAreConesToo) {
   const TensorField field = with_isotropic(random_field(2), kInside);
   const Point apex = field.mesh.points[kInside];
   ExtractionOptions options;
@@ -222,7 +222,7 @@ TEST(IsotropicVertex, ModePagesAreConesToo) {
 }
 
 /// A page on its own is what it is among all.
-TEST(IsotropicVertex, EachFeatureAloneIsTheSameInTheTetsAround) {
+TEST(IsotropicLaws, EachFeatureAloneIsTheSameInTheTetsAround) {
   const TensorField field = with_isotropic(random_field(3), kInside);
   const Point apex = field.mesh.points[kInside];
   const Extraction all = extract(field);
@@ -242,7 +242,7 @@ TEST(IsotropicVertex, EachFeatureAloneIsTheSameInTheTetsAround) {
 }
 
 /// Several vertices that share no tet, with a contraction of short edges.
-TEST(IsotropicVertex, SeveralApartAreApicesEach) {
+TEST(IsotropicLaws, SeveralApartAreApicesEach) {
   TensorField field = random_field(12, 3);
   const std::array<std::uint32_t, 2> vertices = {0, 3 + 16 * 3};  // far apart
   for (const std::uint32_t v : vertices) field.tensors[v] = kIsotropic;
@@ -265,7 +265,7 @@ TEST(IsotropicVertex, SeveralApartAreApicesEach) {
 
 /// Zero throughout an edge: no cones there. The run ends; what is certified is sound, what is not
 /// is listed.
-TEST(IsotropicVertex, EdgesOfZerosEnd) {
+TEST(IsotropicLaws, EdgesOfZerosEnd) {
   for (const std::uint64_t seed : {1u, 2u}) {
     TensorField field = with_isotropic(random_field(seed), kInside);
     field.tensors[kOnSide] = kIsotropic;
@@ -290,7 +290,7 @@ TEST(IsotropicVertex, EdgesOfZerosEnd) {
   }
 }
 
-TEST(IsotropicVertex, IsotropicFieldsHaveNoFeatures) {
+TEST(IsotropicLaws, IsotropicFieldsHaveNoFeatures) {
   GridOptions grid;
   grid.n = 2;
   TensorField field = generate_constant(grid, kIsotropic);
@@ -307,7 +307,7 @@ TEST(IsotropicVertex, IsotropicFieldsHaveNoFeatures) {
 
 /// Where the deviators at the ends of an edge are opposite multiples of each other, the zero
 /// between them becomes a vertex. The field is linear: as a whole every feature is one cone.
-TEST(IsotropicVertex, ZerosInsideEdgesAreFound) {
+TEST(IsotropicLaws, ZerosInsideEdgesAreFound) {
   int cones = 0;
   for (const auto& [seed, parts] : {std::pair{1u, 2}, {2u, 3}, {3u, 4}, {4u, 3}}) {
     SCOPED_TRACE(seed);
@@ -349,7 +349,7 @@ TEST(IsotropicVertex, ZerosInsideEdgesAreFound) {
 }
 
 /// On sides that are one: copies of the vertex, and one point of each page for them all.
-TEST(IsotropicVertex, OnPeriodicSidesAllCopiesAreOne) {
+TEST(IsotropicLaws, OnPeriodicSidesAllCopiesAreOne) {
   constexpr PeriodicAxes kAll = {true, true, true};
   for (const auto& [axes, vertex] : {std::pair{kAll, 0u}, {PeriodicAxes{true, false, true}, 20u}}) {
     TensorField field = test::periodic_noise(3, axes);

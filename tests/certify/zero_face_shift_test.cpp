@@ -263,7 +263,7 @@ struct Counts {
   }
 };
 
-class ZeroFaceTest : public testing::Test {
+class ZeroFaceShift : public testing::Test {
  protected:
   /// One simplex, whose first `face` corners span the zero face.
   template <int N>
@@ -307,7 +307,7 @@ class ZeroFaceTest : public testing::Test {
   SignStages stages_;
 };
 
-TEST_F(ZeroFaceTest, LinesCrossTheNeutralSheetOnce) {
+TEST_F(ZeroFaceShift, LinesCrossTheNeutralSheetOnce) {
   const Sheet sheet = table().sheet(Feature::NeutralReal);
   EXPECT_GT(check_all<4>(sheet, 3, 100, 1).alone, 35);
   EXPECT_GT(check_all<4>(sheet, 2, 100, 2).certified, 20);
@@ -316,7 +316,7 @@ TEST_F(ZeroFaceTest, LinesCrossTheNeutralSheetOnce) {
   EXPECT_GT(check_all<2>(sheet, 2, 200, 5).alone, 20);
 }
 
-TEST_F(ZeroFaceTest, LinesCrossTheBalancedSheetOnce) {
+TEST_F(ZeroFaceShift, LinesCrossTheBalancedSheetOnce) {
   const Sheet sheet = table().sheet(Feature::BalancedLinear);
   EXPECT_GT(check_all<4>(sheet, 3, 100, 1).alone, 35);
   EXPECT_GT(check_all<4>(sheet, 2, 100, 2).certified, 20);
@@ -325,7 +325,7 @@ TEST_F(ZeroFaceTest, LinesCrossTheBalancedSheetOnce) {
   EXPECT_GT(check_all<2>(sheet, 2, 200, 5).alone, 20);
 }
 
-TEST_F(ZeroFaceTest, LinesCrossCurvedSheetsOnce) {
+TEST_F(ZeroFaceShift, LinesCrossCurvedSheetsOnce) {
   int alone = 0;
   for (std::size_t s = kFlatSheets; s < table().sheets().size(); ++s) {
     const Sheet& sheet = table().sheets()[s];
@@ -338,7 +338,7 @@ TEST_F(ZeroFaceTest, LinesCrossCurvedSheetsOnce) {
 
 /// Zeros to within rounding are no zeros, but the test may still hold for what is there; the field
 /// is then taken as it is, to the last bit.
-TEST_F(ZeroFaceTest, HoldsForNearlyZeroFacesAsTheyAre) {
+TEST_F(ZeroFaceShift, HoldsForNearlyZeroFacesAsTheyAre) {
   Random random(11);
   Counts counts;
   constexpr int kShift = 60;
@@ -354,7 +354,7 @@ TEST_F(ZeroFaceTest, HoldsForNearlyZeroFacesAsTheyAre) {
 }
 
 /// Where p and q do not vanish on any edge there is nothing to say, however small they are.
-TEST_F(ZeroFaceTest, IsSilentWhereNothingVanishes) {
+TEST_F(ZeroFaceShift, IsSilentWhereNothingVanishes) {
   Random random(12);
   for (int n = 0; n < 2000; ++n) {
     std::array<Tensor<double>, 4> t;
@@ -375,7 +375,7 @@ TEST_F(ZeroFaceTest, IsSilentWhereNothingVanishes) {
 }
 
 /// Three sheets a = 0, b = 0, a + b = 0 that meet in a point of an edge of zeros, q = -a b (a + b).
-TEST_F(ZeroFaceTest, RefusesSheetsThatBranch) {
+TEST_F(ZeroFaceShift, RefusesSheetsThatBranch) {
   const auto diagonal = [](double a, double b) -> Tensor<double> {
     return {a, 0, 0, 0, b, 0, 0, 0, -a - b};
   };

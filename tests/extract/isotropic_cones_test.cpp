@@ -29,7 +29,7 @@ bool on_one_side(const Point& a, const Point& b) {
   return false;
 }
 
-class IsotropicVertexTest : public testing::TestWithParam<Case> {
+class IsotropicCones : public testing::TestWithParam<Case> {
  protected:
   static const TensorField& field() { return run().field; }
   static const Extraction& result() { return run().result; }
@@ -59,14 +59,14 @@ class IsotropicVertexTest : public testing::TestWithParam<Case> {
   }
 };
 
-TEST_P(IsotropicVertexTest, IsCertifiedInTheTetsAround) {
+TEST_P(IsotropicCones, IsCertifiedInTheTetsAround) {
   for (const UnresolvedTet& tet : result().unresolved)
     EXPECT_FALSE(at_vertex(tet.source_cell)) << tet.reason;
   for (const Node& node : result().nodes) EXPECT_NE(node.position, vertex());
 }
 
 /// In the tets around it there is nothing that does not end at the vertex: bit by bit one place.
-TEST_P(IsotropicVertexTest, EverythingAroundIsACone) {
+TEST_P(IsotropicCones, EverythingAroundIsACone) {
   for (const Feature f : kPages) {
     const FeatureMesh& mesh = result().mesh(f);
     const int apex = point_at(mesh, vertex());
@@ -96,7 +96,7 @@ TEST_P(IsotropicVertexTest, EverythingAroundIsACone) {
 
 /// Of each page the link of the vertex is made of loops and of arcs that end on the triple
 /// degenerate curve, every end of which is one of every page, or on the boundary.
-TEST_P(IsotropicVertexTest, LinksAreLoopsAndArcsBetweenPointsOfTheCurve) {
+TEST_P(IsotropicCones, LinksAreLoopsAndArcsBetweenPointsOfTheCurve) {
   std::set<Point> curve_points;
   if (const int apex = point_at(curve(), vertex()); apex >= 0)
     for (const auto& s : curve().segments) {
@@ -159,7 +159,7 @@ std::array<int, 3> signs_on(const Tensor<double>& a, const Tensor<double>& b, do
 }
 
 /// On the edges opposite to the vertex the cones begin where the invariants change sign.
-TEST_P(IsotropicVertexTest, ConesBeginAtTheCrossingsOfTheOppositeEdges) {
+TEST_P(IsotropicCones, ConesBeginAtTheCrossingsOfTheOppositeEdges) {
   const TetMesh& mesh = field().mesh;
   std::set<std::array<VertexId, 2>> edges;
   for (std::size_t n = 0; n < mesh.tets.size(); ++n) {
@@ -215,7 +215,7 @@ TEST_P(IsotropicVertexTest, ConesBeginAtTheCrossingsOfTheOppositeEdges) {
   EXPECT_GT(changes, 0);
 }
 
-TEST_P(IsotropicVertexTest, PagesAreManifoldsElsewhere) {
+TEST_P(IsotropicCones, PagesAreManifoldsElsewhere) {
   std::set<std::pair<Point, Point>> spine;
   for (const auto& s : curve().segments)
     spine.insert(std::minmax(curve().points[s[0]], curve().points[s[1]]));
@@ -236,7 +236,7 @@ TEST_P(IsotropicVertexTest, PagesAreManifoldsElsewhere) {
   }
 }
 
-TEST_P(IsotropicVertexTest, PatchesAroundAreTriangles) {
+TEST_P(IsotropicCones, PatchesAroundAreTriangles) {
   const PatchComplex& complex = *result().patches;
   std::size_t apices = 0;
   for (const PatchCorner& c : complex.corners) {
@@ -282,7 +282,7 @@ TEST_P(IsotropicVertexTest, PatchesAroundAreTriangles) {
     }
 }
 
-TEST_P(IsotropicVertexTest, DomainsFillTheTets) {
+TEST_P(IsotropicCones, DomainsFillTheTets) {
   const DomainMesh& mesh = result().domains;
   std::map<std::int64_t, double> volume;
   for (std::size_t c = 0; c < mesh.cells(); ++c) {
@@ -298,7 +298,7 @@ TEST_P(IsotropicVertexTest, DomainsFillTheTets) {
 }
 
 /// The domains' volumes in the tets around, against sampling: a ray from the vertex stays in one.
-TEST_P(IsotropicVertexTest, DomainsAroundAreCones) {
+TEST_P(IsotropicCones, DomainsAroundAreCones) {
   const DomainMesh& mesh = result().domains;
   std::mt19937_64 random(5);
   for (std::size_t tet = 0; tet < field().mesh.tets.size(); ++tet) {
@@ -330,7 +330,7 @@ TEST_P(IsotropicVertexTest, DomainsAroundAreCones) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Fields, IsotropicVertexTest,
+INSTANTIATE_TEST_SUITE_P(Fields, IsotropicCones,
                          testing::Values(Case{1, kInside}, Case{2, kInside}, Case{3, kInside},
                                          Case{4, kOnSide}, Case{5, kOnSide}, Case{6, kOnEdge},
                                          Case{7, kCorner}));
