@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "triplex/bernstein/forms.hpp"
 
@@ -16,7 +17,11 @@ constexpr double kFirstCut = 15.0 / 32, kMiddle = 0.5;
 
 /// No cut is nearer to an end, as a part of the edge: nearer ones leave cells so long that their
 /// other edges miss the surface. A choice, by trial (docs/decisions/0019).
-constexpr double kNearest = 0.3;
+constexpr double kNearest = 0.2;
+
+/// Narrower parts count as none: a vertex there would be on the surface for all that doubles tell,
+/// and take up too many of the binary digits of weights (2^-63 is the last).
+constexpr double kNarrowest = 0x1p-16;
 
 /// D on an edge, up to a positive factor.
 struct DiscriminantOnEdge {
@@ -86,17 +91,22 @@ double shortest_dyadic(const Bracket& interval) {
 double cut_point(const RefinableField& field, VertexId a, VertexId b) {
   const auto is_input = [&](VertexId v) { return index(v) < field.input_vertex_count(); };
   const double usual = is_input(a) && is_input(b) ? kFirstCut : kMiddle;
+  // From the lesser tensor: copies of an edge on other sides of a periodic domain are cut alike.
+  const bool turned = field.approximate(b).a < field.approximate(a).a;
+  if (turned) std::swap(a, b);
   const DiscriminantOnEdge d{forms_of<double, 2>({field.approximate(a).a, field.approximate(b).a})};
   const double start = d(0), end = d(1);
   if (!(start * end > 0)) return usual;
   const auto f = [&](double t) { return start > 0 ? d(t) : -d(t); };
-  if (f(usual) < 0) return usual;
+  if (f(turned ? 1 - usual : usual) < 0) return usual;
   const double t = least(f);
   if (!(f(t) < 0) || t < kNearest || t > 1 - kNearest) return usual;
   // The inner half of the part beyond: its ends are where the surface is.
   const Bracket part{end_of_negative(f, t, 0), end_of_negative(f, t, 1)};
+  if (part.hi - part.lo < kNarrowest) return usual;
   const double quarter = (part.hi - part.lo) / 4;
-  return shortest_dyadic({part.lo + quarter, part.hi - quarter});
+  const double at = shortest_dyadic({part.lo + quarter, part.hi - quarter});
+  return turned ? 1 - at : at;
 }
 
 }  // namespace triplex

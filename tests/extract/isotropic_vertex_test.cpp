@@ -592,7 +592,7 @@ TEST(IsotropicVertexTest, PeriodicDomainsJoinTheCopies) {
     make_periodic(field, kN, kAxes);
     ExtractionOptions options;
     options.periodic = kAxes;
-    options.max_bisections = 64;
+    options.max_bisections = 1024;
     const Extraction result = extract(field, options);
     const std::size_t spine = result.mesh(Feature::TripleCurve).segments.size();
     std::size_t copies = 0;
