@@ -227,6 +227,7 @@ Json make_report(const ExtractRequest& request, const TensorField& field,
   if (request.verify_quadrics) report["quadrics"] = quadrics_json(field, quadrics);
   report["nodes"] = nodes_json(extraction);
   report["nodes_undecided"] = nodes_undecided_json(field, extraction);
+  report["isotropic_points"] = extraction.isotropic_points;
   report["identical"] = identical_json(extraction.identical);
   report["unresolved"] = unresolved_json(extraction);
   report["open_cells"] = {{"written", extraction.open_cells.tets.size()},
@@ -290,6 +291,8 @@ std::string make_table(const Extraction& extraction, const FeatureSummaries& sum
     fmt::format_to(out, "domains: {} cells, {} of them cut out by pages\n", domains.cells(),
                    domains.polyhedra());
   table += nodes_line(extraction);
+  if (const std::size_t points = extraction.isotropic_points.size(); points > 0)
+    fmt::format_to(out, "isotropic points: {}\n", points);
   table += identical_lines(extraction.identical);
   const std::size_t open = extraction.unresolved.size();
   if (open == 0) {

@@ -158,6 +158,8 @@ EdgeRoot find_crossing(const Simplex<2>& edge, const FeatureTable& table, Featur
   if (root.error == 1 && edge.filter_usable())  // a wide bracket is better than none
     root.error =
         certified_error([&](double t) { return f.sign_at(t); }, root.t, rising, kWidestBracket, 1);
+  // Not an end that doubles have no reason to prefer: others may lie there too.
+  if (root.error == 1 && f(low) * f(high) > 0) root.t = (low + high) / 2;
   return root;
 }
 

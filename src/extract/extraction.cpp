@@ -118,6 +118,13 @@ SpineAccuracy accuracy_of(const FaceSpinePoints& spine_points) {
   return accuracy;
 }
 
+std::vector<Point> isotropic_points(const RefinableField& field) {
+  std::vector<Point> points;
+  for (const VertexId v : field.isotropic_vertices()) points.push_back(field.position(v));
+  std::ranges::sort(points);
+  return points;
+}
+
 /// The features that are curves by nature: where tensors are symmetric, D >= 0 everywhere, and the
 /// degenerate ones are no surfaces.
 FeatureSet curves_of(const TensorField& field) {
@@ -213,6 +220,7 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
   NodeSearch search = find_nodes(field, complex, options.features & ~result.curves);
   result.nodes = std::move(search.nodes);
   result.nodes_undecided = std::move(search.undecided);
+  result.isotropic_points = isotropic_points(complex.field);
   result.timing.nodes_s = watch.lap();
 
   result.sign_stages = stages;

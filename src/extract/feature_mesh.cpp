@@ -107,11 +107,17 @@ FeatureMesh FeatureMeshBuilder::assemble(Feature feature, const std::vector<Cell
 
   if (!complex_.copies.empty()) {
     mesh.identified.resize(mesh.points.size());
+    const auto original_of = [&](const PatchVertex& v) {
+      if (v.on_spine || !joined_.at_node[v.number]) return slot(lowest_copy(feature, v));
+      for (const std::uint32_t copy : copies_of_vertex(v.number))
+        if (of_crossing[copy] != kUnused) return of_crossing[copy];
+      return kUnused;
+    };
     const auto identify = [&](const std::vector<std::uint32_t>& numbers, bool on_spine) {
       for (std::uint32_t n = 0; n < numbers.size(); ++n) {
         if (numbers[n] == kUnused) continue;
-        const std::uint32_t copy = slot(lowest_copy(feature, {n, on_spine}));
-        mesh.identified[numbers[n]] = copy == kUnused ? numbers[n] : copy;
+        const std::uint32_t original = original_of({n, on_spine});
+        mesh.identified[numbers[n]] = original == kUnused ? numbers[n] : original;
       }
     };
     identify(of_crossing, false);
@@ -185,14 +191,24 @@ PatchVertex FeatureMeshBuilder::lowest_copy(Feature feature, const PatchVertex& 
   if (v.on_spine) {
     number = spine_points_.find(complex_.copies.lowest(spine_points_.points()[v.number].face));
   } else {
-    const auto is_isotropic = [&](VertexId end) { return complex_.field.is_isotropic(end); };
     const auto ends = complex_.copies.lowest(crossings_.edges()[joined_.edge_of[v.number]].ends);
     if (const CrossedEdge* edge = crossings_.find(ends[0], ends[1]))
-      number = std::ranges::any_of(ends, is_isotropic)
-                   ? static_cast<int>(joined_.joined[edge->first])
-                   : crossings_.crossing_of(*edge, feature);
+      number = crossings_.crossing_of(*edge, feature);
   }
   return number < 0 ? v : PatchVertex{static_cast<std::uint32_t>(number), v.on_spine};
+}
+
+/// The crossings that stand for the copies of the node or isotropic vertex at which one lies, the
+/// lowest copy first. A feature need not pass through the tets at each of them.
+std::vector<std::uint32_t> FeatureMeshBuilder::copies_of_vertex(std::uint32_t crossing) const {
+  const std::array lowest =
+      complex_.copies.lowest(std::array{joined_.vertex_of(crossings_, crossing)});
+  auto copies = complex_.copies.copies(lowest);
+  std::sort(copies.begin() + 1, copies.end());
+  std::vector<std::uint32_t> found;
+  for (const auto& [v] : copies)
+    if (const auto number = joined_.at_vertex(v)) found.push_back(*number);
+  return found;
 }
 
 }  // namespace triplex

@@ -53,6 +53,7 @@ class FeatureMeshBuilder {
   std::array<double, 3> invariants(Feature feature, const PatchVertex& v) const;
   Tensor<double> tensor(const PatchVertex& v) const;
   PatchVertex lowest_copy(Feature feature, const PatchVertex& v) const;
+  std::vector<std::uint32_t> copies_of_vertex(std::uint32_t crossing) const;
 
   const TensorField& input_;
   const RefinedComplex& complex_;

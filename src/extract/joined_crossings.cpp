@@ -3,7 +3,6 @@
 #include "joined_crossings.hpp"
 
 #include <numeric>
-#include <unordered_map>
 
 namespace triplex {
 
@@ -18,7 +17,6 @@ JoinedCrossings::JoinedCrossings(const RefinedComplex& complex, const EdgeCrossi
     for (int i = 0; i < edge.count(); ++i)
       edge_of[edge.first + static_cast<std::uint32_t>(i)] = static_cast<std::uint32_t>(e);
   }
-  std::unordered_map<VertexId, std::uint32_t> first;
   for (const CrossedEdge& edge : crossings.edges())
     for (const VertexId end : edge.ends) {
       const bool isotropic = complex.field.is_isotropic(end);
@@ -29,7 +27,7 @@ JoinedCrossings::JoinedCrossings(const RefinedComplex& complex, const EdgeCrossi
         const bool passes = isotropic || c.feature == Feature::DegenerateLinear ||
                             c.feature == Feature::DegeneratePlanar;
         if (!passes || c.t != (end == edge.ends[1] ? 1 : 0)) continue;
-        joined[crossing] = first.try_emplace(end, crossing).first->second;
+        joined[crossing] = first_.try_emplace(end, crossing).first->second;
         at_node[crossing] = true;
       }
     }
@@ -39,7 +37,7 @@ JoinedCrossings::JoinedCrossings(const RefinedComplex& complex, const EdgeCrossi
   for (const SpinePoint& point : spine_points.points()) {
     of_spine_point_.push_back(kNone);
     for (const VertexId v : point.face)
-      if (complex.field.is_isotropic(v)) of_spine_point_.back() = first.at(v);
+      if (complex.field.is_isotropic(v)) of_spine_point_.back() = first_.at(v);
   }
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "cell_patches.hpp"
@@ -20,12 +22,24 @@ struct JoinedCrossings {
   std::vector<std::uint32_t> joined;   ///< crossing -> the first one at the same node, else itself
   std::vector<bool> at_node;           ///< per crossing: at a node or an isotropic vertex
 
+  /// The node or isotropic vertex at which a crossing lies. \pre `at_node`
+  VertexId vertex_of(const EdgeCrossings& crossings, std::uint32_t crossing) const {
+    return crossings.edges()[edge_of[crossing]]
+        .ends[crossings.crossings()[crossing].t == 1 ? 1 : 0];
+  }
+  /// The crossing that stands for all at a node or isotropic vertex, if there are any.
+  std::optional<std::uint32_t> at_vertex(VertexId v) const {
+    const auto found = first_.find(v);
+    return found == first_.end() ? std::nullopt : std::optional(found->second);
+  }
+
   /// The one that stands for all that are the same point.
   PatchVertex operator()(PatchVertex v) const;
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
-  std::vector<std::uint32_t> of_spine_point_;  // the crossing that stands for it, or kNone
+  std::unordered_map<VertexId, std::uint32_t> first_;  // by node or isotropic vertex
+  std::vector<std::uint32_t> of_spine_point_;          // the crossing that stands for it, or kNone
 };
 
 }  // namespace triplex

@@ -2,14 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bisection.hpp"
 
+#include "cut_point.hpp"
+
 namespace triplex {
-namespace {
-
-/// Edges of the input are cut beside the middle: on regular grids the middles of edges span planes
-/// of symmetry of the flow, in which sheets touch the faces that bisection would make there.
-constexpr double kFirstCut = 15.0 / 32, kMiddle = 0.5;
-
-}  // namespace
 
 MarkedEdges::MarkedEdges(std::vector<Mark> marks, RefinableField& field) {
   // One mark per edge, with its largest variation.
@@ -24,10 +19,8 @@ MarkedEdges::MarkedEdges(std::vector<Mark> marks, RefinableField& field) {
   ends_.assign(field.vertex_count(), 0);
   by_edge_.reserve(marks.size());
   for (const Mark& mark : marks) {
-    const bool is_of_input = index(mark.edge[0]) < field.input_vertex_count() &&
-                             index(mark.edge[1]) < field.input_vertex_count();
-    const auto midpoint =
-        field.add_point_between(mark.edge[0], mark.edge[1], is_of_input ? kFirstCut : kMiddle);
+    const auto& [a, b] = mark.edge;
+    const auto midpoint = field.add_point_between(a, b, cut_point(field, a, b));
     if (!midpoint) continue;
     by_edge_.push_back({mark.edge, static_cast<std::uint32_t>(by_edge_.size()), *midpoint});
     for (const VertexId v : mark.edge) ends_[index(v)] = 1;

@@ -128,6 +128,7 @@ class Refinement {
         });
     for (const auto& found : nodes)
       for (const VertexId v : found) declare_node(v);
+    if (!pages) return;
     for (const VertexId v : isotropic_vertices(complex_.field, first))
       complex_.field.declare_isotropic(v);
   }

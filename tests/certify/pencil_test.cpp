@@ -21,9 +21,22 @@ using test::Wide;
 
 constexpr int kSegments = 150, kSamples = 48;
 
-/// The most changes of sign of D along sampled segments from one side of a split to the other.
+/// p, q or D of the deviator at a point, up to a positive factor, like `test::discriminant`.
+Wide value_of(Sheet::Kind kind, const RefinableField& field, std::span<const VertexId> vertices,
+              std::span<const Wide> weights) {
+  if (kind == Sheet::Kind::Curved) return test::discriminant(field, vertices, weights);
+  Tensor<Wide> a{};
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    for (std::size_t k = 0; k < 9; ++k)
+      a[k] += weights[i] * static_cast<Wide>(field.approximate(vertices[i]).a[k]);
+  return kind == Sheet::Kind::Balanced ? minus_trace_of_product(a, a)
+                                       : double_dot(mixed_cofactor(a, a), a);
+}
+
+/// The most changes of sign of D, or p or q, along sampled segments from one side of a split to the
+/// other.
 template <int N>
-int most_changes(const Simplex<N>& simplex, unsigned side, Random& random) {
+int most_changes(const Simplex<N>& simplex, unsigned side, Random& random, Sheet::Kind kind) {
   int most = 0;
   for (int n = 0; n < kSegments; ++n) {
     std::array<double, N> ends{};
@@ -36,7 +49,7 @@ int most_changes(const Simplex<N>& simplex, unsigned side, Random& random) {
       std::array<Wide, N> w;
       for (int i = 0; i < N; ++i)
         w[i] = static_cast<Wide>((side >> i & 1u ? t : 1 - t) * ends[i] / sum[side >> i & 1u]);
-      const int now = test::sign_of(test::discriminant(simplex.field(), simplex.vertices(), w));
+      const int now = test::sign_of(value_of(kind, simplex.field(), simplex.vertices(), w));
       changes += now != 0 && last != 0 && now != last;
       if (now != 0) last = now;
     }
@@ -46,17 +59,18 @@ int most_changes(const Simplex<N>& simplex, unsigned side, Random& random) {
 }
 /// Over all splits, the fewest.
 template <int N>
-int changes_of_best_split(const Simplex<N>& simplex, Random& random) {
+int changes_of_best_split(const Simplex<N>& simplex, Random& random,
+                          Sheet::Kind kind = Sheet::Kind::Curved) {
   int best = 100;
   for (unsigned side = 1; side < (1u << (N - 1)) && best > 1; ++side)
-    best = std::min(best, most_changes(simplex, side, random));
+    best = std::min(best, most_changes(simplex, side, random, kind));
   return best;
 }
 
 class PencilTest : public testing::Test {
  protected:
-  bool certified(const auto& simplex) {
-    return certifies_pencil(simplex, Sheet{.kind = Sheet::Kind::Curved}, stages_);
+  bool certified(const auto& simplex, Sheet::Kind kind = Sheet::Kind::Curved) {
+    return certifies_pencil(simplex, Sheet{.kind = kind}, stages_);
   }
   SignStages stages_;
 };
@@ -90,6 +104,30 @@ TEST_F(PencilTest, CertifiedPencilsMeetTheSurfaceOnce) {
   EXPECT_GT(tets, 50);
   EXPECT_GT(faces, 50);
   EXPECT_GT(crossed, 50);
+}
+
+/// The sheets of p and q, few of which are no graphs.
+TEST_F(PencilTest, CertifiedPencilsMeetFlatSheetsOnce) {
+  Random random(5);
+  for (const auto kind : {Sheet::Kind::Balanced, Sheet::Kind::Neutral}) {
+    std::array<int, 2> crossed{};  // graphs, and others
+    const auto check = [&](const auto& simplex, bool samples_graphs) {
+      const bool graph = certifies_graph(simplex, Sheet{.kind = kind}, stages_);
+      if (!certified(simplex, kind) || (graph && !samples_graphs)) return;
+      const int changes = changes_of_best_split(simplex, random, kind);
+      EXPECT_LE(changes, 1);
+      crossed[graph ? 0 : 1] += changes == 1;
+    };
+    for (int n = 0; n < 400; ++n) {
+      SCOPED_TRACE(n);
+      OneTet tet(random_tensors(random, std::exp2(1 - static_cast<double>(n % 2))));
+      const Simplex<4> cell = tet.cell();
+      check(cell, n % 10 == 0);
+      check(Simplex<3>(cell, {0, 1, 2}), n % 10 == 0);
+    }
+    EXPECT_GT(crossed[0], 5);
+    EXPECT_GT(crossed[1], 20);
+  }
 }
 
 /// A tube u^2 + v^2 = w^2 of constant w through a tet, (u, v) given at the corners.

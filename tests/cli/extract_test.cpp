@@ -70,8 +70,8 @@ TEST(Report, HasTheDocumentedKeys) {
   EXPECT_THAT(keys(report),
               UnorderedElementsAre("certified", "version", "field", "options", "certificates",
                                    "refinement", "contraction", "sign_stages", "features", "nodes",
-                                   "nodes_undecided", "identical", "unresolved", "open_cells",
-                                   "timing_s", "peak_memory_bytes"));
+                                   "nodes_undecided", "isotropic_points", "identical", "unresolved",
+                                   "open_cells", "timing_s", "peak_memory_bytes"));
   EXPECT_THAT(keys(report["field"]),
               UnorderedElementsAre("file", "tets", "vertices", "array", "bounds", "split"));
   EXPECT_THAT(keys(report["certificates"]),

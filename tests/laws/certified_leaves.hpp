@@ -53,13 +53,14 @@ struct LeafAudit {
 };
 
 /// Whether claims about a simplex are about T + eps B, as the oracles are, and its tensors are
-/// known exactly: no node is a vertex of it, and it does not lie in a plane where tensors are block
-/// triangular, where touching counts as no crossing.
+/// known exactly: no node is a vertex of it, nor an isotropic vertex, and it does not lie in a
+/// plane where tensors are block triangular, where touching counts as no crossing.
 template <std::size_t N>
 bool is_perturbed(const RefinedComplex& complex, const std::array<VertexId, N>& vertices) {
   unsigned block = 0b111111;
   for (const VertexId v : vertices) {
     if (complex.field.is_enclosed(v) || complex.field.is_node(v)) return false;
+    if (complex.field.is_isotropic(v)) return false;
     block &= complex.field.zero_couplings(v);
   }
   return block == 0;
@@ -76,6 +77,7 @@ inline bool is_perturbed_at(const RefinedComplex& complex, const Leaf& leaf,
   bool node = false;
   for (std::size_t i = 0; i < 4; ++i) {
     if (weights[i] == 0) continue;
+    if (complex.field.is_isotropic(leaf.vertices[i])) return false;
     ++corners;
     node |= complex.field.is_node(leaf.vertices[i]);
     block &= complex.field.zero_couplings(leaf.vertices[i]);
@@ -189,6 +191,9 @@ inline std::vector<FaceClaim> face_claims(const RefinedComplex& complex, Feature
     const bool certified = contains(requested & leaf.graph, Feature::TripleCurve);
     if (!certified && !claims.curve_absent) continue;
     for (const auto& [a, b, c] : kFaces) {
+      if (touches_isotropic(complex,
+                            std::array{leaf.vertices[a], leaf.vertices[b], leaf.vertices[c]}))
+        continue;
       const auto &ab = claims.rotation[a][b], &bc = claims.rotation[b][c],
                  &ac = claims.rotation[a][c];
       const bool winds = ab && bc && ac && *ab + *bc - *ac != 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdlib>
@@ -30,12 +31,19 @@ inline unsigned sectors_reached(int from, FeatureSet absent) {
   return reached;
 }
 
+template <std::size_t N>
+bool touches_isotropic(const RefinedComplex& complex, const std::array<VertexId, N>& vertices) {
+  return std::ranges::any_of(vertices, [&](VertexId v) { return complex.field.is_isotropic(v); });
+}
+
 /// What the certificates of a leaf say about the field inside it (proofs/cell.md).
 ///
 /// A page that is excluded does not occur, nor does one that is certified as a graph while no edge
 /// crosses it: its disc would have a boundary, which crosses edges. The same goes for the curve and
 /// the faces around which (p, q) winds. Without the curve the image of the tet in the (p, q) plane
 /// is connected and avoids the origin and the absent pages, so it stays between two of them.
+///
+/// At an isotropic vertex the claims are those about the opposite face.
 struct LeafClaims {
   std::array<std::array<std::optional<int>, 4>, 4> rotation{};  // i < j
   FeatureSet absent = 0;           ///< pages proven not to meet the leaf
@@ -57,7 +65,7 @@ struct LeafClaims {
     if (!curve_absent || std::popcount(absent) < 2) return;
     for (const VertexId v : leaf.vertices) {
       const int sector = complex.sectors[index(v)];
-      if (sector == kOpenSector) continue;
+      if (sector == kOpenSector || complex.field.is_isotropic(v)) continue;
       sectors &= sectors_reached(sector, absent);
     }
     contradiction |= sectors == 0;
@@ -74,6 +82,7 @@ struct LeafClaims {
     };
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j) {
+        if (touches_isotropic(complex, std::array{leaf.vertices[i], leaf.vertices[j]})) continue;
         rotation[i][j] = rotation_along(complex.field, leaf.vertices[i], leaf.vertices[j],
                                         sector(i), sector(j), standard_features(), stages);
         if (!rotation[i][j]) return false;
@@ -85,12 +94,14 @@ struct LeafClaims {
     FeatureSet crossed = 0;
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j)
-        crossed |= pages_crossed(standard_features(),
-                                 static_cast<Sector>(complex.sectors[index(leaf.vertices[i])]),
-                                 *rotation[i][j]);
+        if (rotation[i][j])
+          crossed |= pages_crossed(standard_features(),
+                                   static_cast<Sector>(complex.sectors[index(leaf.vertices[i])]),
+                                   *rotation[i][j]);
     bool winds = false;
     for (const auto& [a, b, c] : kFaces)
-      winds |= *rotation[a][b] + *rotation[b][c] - *rotation[a][c] != 0;
+      if (rotation[a][b] && rotation[b][c] && rotation[a][c])
+        winds |= *rotation[a][b] + *rotation[b][c] - *rotation[a][c] != 0;
     contradiction |= (excluded_ & crossed) != 0;
     absent = kPages & (excluded_ | (leaf.graph & ~crossed));
     curve_absent = contains(excluded_, Feature::TripleCurve) ||

@@ -130,6 +130,9 @@ struct Extraction {
   /// some may be missing.
   std::vector<Node> nodes;
   std::vector<NodesUndecided> nodes_undecided;
+  /// Points where the deviator is exactly zero, by position: all pages and the triple degenerate
+  /// curve may meet there, as cones. Source: proofs/isotropic_vertex.md.
+  std::vector<Point> isotropic_points;
   CertificateCounts certificates;
   RefinementStatistics refinement;
   ContractionStatistics contraction;

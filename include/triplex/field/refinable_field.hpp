@@ -124,6 +124,8 @@ class RefinableField {
   void declare_isotropic(VertexId v) { isotropic_.insert(v); }
   bool is_isotropic(VertexId v) const { return !isotropic_.empty() && isotropic_.contains(v); }
   bool has_isotropic_vertices() const { return !isotropic_.empty(); }
+  /// In no order.
+  const std::unordered_set<VertexId>& isotropic_vertices() const { return isotropic_; }
   /// On planes of symmetry and at free-slip walls tensors are block triangular. Bit k (bit 3 + k):
   /// the two entries beside the diagonal in column (row) k are exactly zero, at all vertices of the
   /// input that this one is combined of.
