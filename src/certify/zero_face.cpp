@@ -193,7 +193,7 @@ std::array<ZeroFace, 10> zero_faces(const Forms<double, N>& f, double noise) {
   return faces;
 }
 
-/// `range` is asked for by curved sheets only.
+/// `sign_q` is that of a curved sheet, which asks for bounds on v; else zero.
 template <std::size_t Degree, int N>
 bool certify(const Simplex<N>& simplex, const ModeMap& map, Sign sign_q, SignStages& stages) {
   const double noise = Degree == 3 ? simplex.bounds().q_error : simplex.bounds().p_error;
