@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut_point.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -86,11 +87,19 @@ double shortest_dyadic(const Bracket& interval) {
   }
 }
 
+/// Whether a vertex lies in a face of the input with a corner in a plane where tensors are block
+/// triangular.
+bool is_beside_block(const RefinableField& field, VertexId v) {
+  return std::ranges::any_of(field.corners(v),
+                             [&](VertexId c) { return field.zero_couplings(c) != 0; });
+}
+
 }  // namespace
 
 double cut_point(const RefinableField& field, VertexId a, VertexId b) {
   const auto is_input = [&](VertexId v) { return index(v) < field.input_vertex_count(); };
   const double usual = is_input(a) && is_input(b) ? kFirstCut : kMiddle;
+  if (!is_beside_block(field, a) && !is_beside_block(field, b)) return usual;
   // From the lesser tensor: copies of an edge on other sides of a periodic domain are cut alike.
   const bool turned = field.approximate(b).a < field.approximate(a).a;
   if (turned) std::swap(a, b);
