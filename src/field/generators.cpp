@@ -157,10 +157,15 @@ Tensor<double> rayleigh_benard_gradient(const Point& p, const RayleighBenardPara
   const double across = m / 2 + s;            // v = -cos(pi x) sin(pi y) cos(pi z) across
   const double up = 1 + m * cy;               // w = cos(pi x) sin(pi z) up
   const double g = shortened(kPi * cx * cz);
-  return {
-      -g * along,                  kPi * sx * cz * (m / 2 - s) * sy, kPi * sx * sz * along,
-      kPi * sx * sy * cz * across, -g * cy * across,                 kPi * cx * sy * sz * across,
-      -kPi * sx * sz * up,         -kPi * cx * sz * m * sy,          g * up};
+  return {-g * along,
+          kPi * sx * cz * (m / 2 - s) * sy,
+          kPi * sx * sz * along,
+          kPi * sx * sy * cz * across,
+          -g * cy * across,
+          kPi * cx * sy * sz * across,
+          -kPi * sx * sz * up,
+          -kPi * cx * sz * m * sy,
+          g * up};
 }
 
 TensorField generate_rayleigh_benard(const GridOptions& options,

@@ -62,8 +62,8 @@ class RefinableField {
   Tensor<Exact> exact_tensor(VertexId v) const;
   /// The position, rounded once per coordinate combination (exact for vertices of the input).
   Point position(VertexId v) const;
-  /// How far `position` of a vertex that is known by an enclosure may be from the true one, in units
-  /// of length; 0 for others.
+  /// How far `position` of a vertex that is known by an enclosure may be from the true one, in
+  /// units of length; 0 for others.
   double position_radius(VertexId v) const;
   /// Times `denominator`. \pre not enclosed.
   std::array<Exact, 3> exact_position(VertexId v) const;
@@ -118,8 +118,8 @@ class RefinableField {
   bool is_node(VertexId v) const {
     return (!nodes_.empty() && nodes_.contains(v)) || (is_enclosed(v) && enclosed_.at(v).node == v);
   }
-  /// Declares a vertex to be isotropic: its deviator is exactly zero, and around it each tet's field
-  /// is a cone over the opposite face. T + eps B is meant without B there. Source:
+  /// Declares a vertex to be isotropic: its deviator is exactly zero, and around it each tet's
+  /// field is a cone over the opposite face. T + eps B is meant without B there. Source:
   /// proofs/isotropic_vertex.md.
   void declare_isotropic(VertexId v) { isotropic_.insert(v); }
   bool is_isotropic(VertexId v) const { return !isotropic_.empty() && isotropic_.contains(v); }
