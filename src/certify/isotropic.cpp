@@ -21,6 +21,14 @@ bool has_no_deviator(const RefinableField& field, VertexId v) {
   return std::ranges::all_of(field.exact(v), [](const Exact& x) { return x.is_zero(); });
 }
 
+/// Zero is a segment at least where a corner of the input that the vertex is combined of has it,
+/// too.
+bool is_isolated(const RefinableField& field, VertexId v) {
+  return std::ranges::none_of(field.corners(v), [&](VertexId corner) {
+    return corner != v && has_no_deviator(field, corner);
+  });
+}
+
 }  // namespace
 
 std::vector<VertexId> isotropic_vertices(const RefinableField& field, std::size_t first) {
@@ -28,7 +36,7 @@ std::vector<VertexId> isotropic_vertices(const RefinableField& field, std::size_
   tbb::parallel_for(tbb::blocked_range<std::size_t>(first, field.vertex_count(), 4096),
                     [&](const auto& range) {
                       for (std::size_t v = range.begin(); v < range.end(); ++v)
-                        if (has_no_deviator(field, VertexId(v)))
+                        if (has_no_deviator(field, VertexId(v)) && is_isolated(field, VertexId(v)))
                           found.local().push_back(VertexId(v));
                     });
   std::vector<VertexId> vertices;

@@ -49,6 +49,25 @@ const MarkedEdges::Entry* MarkedEdges::first_in(const Leaf& leaf) const {
   return first;
 }
 
+void mark_copies(const PeriodicCopies& copies, std::vector<Mark>& marks) {
+  if (copies.empty()) return;
+  const std::size_t count = marks.size();
+  for (std::size_t n = 0; n < count; ++n)
+    for (const auto& copy : copies.copies(marks[n].edge))
+      if (copy != marks[n].edge) marks.push_back({copy, marks[n].variation});
+}
+
+void identify_midpoints(const MarkedEdges& marked, PeriodicCopies& copies) {
+  if (copies.empty()) return;
+  for (const MarkedEdges::Entry& entry : marked.entries())
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      auto edge = entry.edge;
+      if (!copies.lower(axis, edge)) continue;
+      const MarkedEdges::Entry* const low = marked.find(edge);
+      if (low != nullptr) copies.add_midpoint(axis, entry.midpoint, low->midpoint);
+    }
+}
+
 void sort_vertices(Leaf& leaf) {
   auto& v = leaf.vertices;
   for (std::size_t i = 0; i < 3; ++i)

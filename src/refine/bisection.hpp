@@ -47,6 +47,12 @@ class MarkedEdges {
   std::vector<std::uint8_t> ends_;
 };
 
+/// Adds the copies of marked edges: on opposite sides of a periodic domain the same edges are
+/// bisected in the same order.
+void mark_copies(const PeriodicCopies& copies, std::vector<Mark>& marks);
+/// Tells of which the midpoints of copies are copies.
+void identify_midpoints(const MarkedEdges& marked, PeriodicCopies& copies);
+
 /// Puts the vertices of a tet in ascending order; every swap flips its orientation.
 void sort_vertices(Leaf& leaf);
 

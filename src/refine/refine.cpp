@@ -346,30 +346,11 @@ class Refinement {
     return marks;
   }
 
-  /// On opposite sides of a periodic domain the same edges are bisected in the same order.
-  void mark_copies(std::vector<Mark>& marks) const {
-    if (complex_.copies.empty()) return;
-    const std::size_t count = marks.size();
-    for (std::size_t n = 0; n < count; ++n)
-      for (const auto& copy : complex_.copies.copies(marks[n].edge))
-        if (copy != marks[n].edge) marks.push_back({copy, marks[n].variation});
-  }
-  void identify_midpoints(const MarkedEdges& marked) {
-    if (complex_.copies.empty()) return;
-    for (const MarkedEdges::Entry& entry : marked.entries())
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        auto edge = entry.edge;
-        if (!complex_.copies.lower(axis, edge)) continue;
-        const MarkedEdges::Entry* const low = marked.find(edge);
-        if (low != nullptr) complex_.copies.add_midpoint(axis, entry.midpoint, low->midpoint);
-      }
-  }
-
   /// Replaces every tet with marked edges by its parts; the parts become pending.
   void bisect_marked(std::vector<Mark> marks) {
-    mark_copies(marks);
+    mark_copies(complex_.copies, marks);
     const MarkedEdges marked(std::move(marks), complex_.field);
-    identify_midpoints(marked);
+    identify_midpoints(marked, complex_.copies);
     complex_.bisections += marked.size();
 
     if (!lookup_) lookup_.emplace(complex_.field);

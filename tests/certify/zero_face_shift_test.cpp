@@ -304,25 +304,23 @@ class ZeroFaceShift : public testing::Test {
               << ": " << counts << "\n";
     return counts;
   }
+  void expect_lines_cross_once(Feature flat) {
+    const Sheet sheet = table().sheet(flat);
+    EXPECT_GT(check_all<4>(sheet, 3, 100, 1).alone, 35);
+    EXPECT_GT(check_all<4>(sheet, 2, 100, 2).certified, 20);
+    EXPECT_GT(check_all<3>(sheet, 3, 100, 3).alone, 20);
+    EXPECT_GT(check_all<3>(sheet, 2, 100, 4).alone, 20);
+    EXPECT_GT(check_all<2>(sheet, 2, 200, 5).alone, 20);
+  }
   SignStages stages_;
 };
 
 TEST_F(ZeroFaceShift, LinesCrossTheNeutralSheetOnce) {
-  const Sheet sheet = table().sheet(Feature::NeutralReal);
-  EXPECT_GT(check_all<4>(sheet, 3, 100, 1).alone, 35);
-  EXPECT_GT(check_all<4>(sheet, 2, 100, 2).certified, 20);
-  EXPECT_GT(check_all<3>(sheet, 3, 100, 3).alone, 20);
-  EXPECT_GT(check_all<3>(sheet, 2, 100, 4).alone, 20);
-  EXPECT_GT(check_all<2>(sheet, 2, 200, 5).alone, 20);
+  expect_lines_cross_once(Feature::NeutralReal);
 }
 
 TEST_F(ZeroFaceShift, LinesCrossTheBalancedSheetOnce) {
-  const Sheet sheet = table().sheet(Feature::BalancedLinear);
-  EXPECT_GT(check_all<4>(sheet, 3, 100, 1).alone, 35);
-  EXPECT_GT(check_all<4>(sheet, 2, 100, 2).certified, 20);
-  EXPECT_GT(check_all<3>(sheet, 3, 100, 3).alone, 20);
-  EXPECT_GT(check_all<3>(sheet, 2, 100, 4).alone, 20);
-  EXPECT_GT(check_all<2>(sheet, 2, 200, 5).alone, 20);
+  expect_lines_cross_once(Feature::BalancedLinear);
 }
 
 TEST_F(ZeroFaceShift, LinesCrossCurvedSheetsOnce) {

@@ -32,6 +32,12 @@ using test::relabelled;
 using test::topology_of;
 using test::with_isotropic;
 
+Extraction extract_briefly(const TensorField& field) {
+  ExtractionOptions options;
+  options.max_bisections = 100;
+  return extract(field, options);
+}
+
 void expect_same_geometry(const Extraction& a, const Extraction& b) {
   EXPECT_EQ(a.unresolved.size(), b.unresolved.size());
   for (std::size_t f = 0; f < kStandardFeatures; ++f) {
@@ -89,11 +95,9 @@ TEST(IsotropicLaws, NegativesExchangeLinearAndPlanar) {
     SCOPED_TRACE(c);
     const TensorField field = with_isotropic(random_field(c.seed), c.place);
     const Point& apex = field.mesh.points[c.place];
-    ExtractionOptions options;
-    options.max_bisections = 100;
-    const Extraction a = extract(field, options);
-    const Extraction negative = extract(mapped(field, test::negated), options);
-    const Extraction transposed = extract(mapped(field, test::transposed), options);
+    const Extraction a = extract_briefly(field);
+    const Extraction negative = extract_briefly(mapped(field, test::negated));
+    const Extraction transposed = extract_briefly(mapped(field, test::transposed));
     for (const Feature f : kPages) {
       const Link link = link_of(a.mesh(f), apex);
       EXPECT_EQ(link, link_of(negative.mesh(of_negative(f)), apex));
@@ -162,10 +166,8 @@ TEST(IsotropicLaws, TheSameFieldOnAnotherMeshHasTheSameTopology) {
     SCOPED_TRACE(c);
     const TensorField field = with_isotropic(random_field(c.seed), c.place);
     const Point& apex = field.mesh.points[c.place];
-    ExtractionOptions options;
-    options.max_bisections = 100;
-    const Extraction a = extract(field, options);
-    const Extraction b = extract(with_shell(field, c.place), options);
+    const Extraction a = extract_briefly(field);
+    const Extraction b = extract_briefly(with_shell(field, c.place));
     for (std::size_t f = 0; f < kStandardFeatures; ++f) {
       const auto feature = static_cast<Feature>(f);
       EXPECT_EQ(point_at(a.features[f], apex) < 0, point_at(b.features[f], apex) < 0);
@@ -346,69 +348,6 @@ TEST(IsotropicLaws, ZerosInsideEdgesAreFound) {
     }
   }
   EXPECT_GT(cones, 15);
-}
-
-/// On sides that are one: copies of the vertex, and one point of each page for them all.
-TEST(IsotropicLaws, OnPeriodicSidesAllCopiesAreOne) {
-  constexpr PeriodicAxes kAll = {true, true, true};
-  for (const auto& [axes, vertex] : {std::pair{kAll, 0u}, {PeriodicAxes{true, false, true}, 20u}}) {
-    TensorField field = test::periodic_noise(3, axes);
-    if (vertex == 0) {
-      test::set_isotropic_corner(field, 3);
-    } else {
-      field.tensors[vertex] = kIsotropic;
-      make_periodic(field, 3, axes);
-    }
-    ExtractionOptions options;
-    options.periodic = axes;
-    options.keep_patches = true;
-    options.max_bisections = 100;
-    const Extraction result = extract(field, options);
-    const auto is_copy = [&](const Point& x) {
-      for (std::size_t k = 0; k < 3; ++k)
-        if ((axes[k] && x[k] == 1 ? 0 : x[k]) != field.mesh.points[vertex][k]) return false;
-      return true;
-    };
-    std::size_t vertices = 0;
-    for (const Point& x : field.mesh.points) vertices += is_copy(x);
-    EXPECT_GT(vertices, 1u);
-    for (const auto& tet : result.open_cells.tets)
-      for (const std::uint32_t v : tet) EXPECT_FALSE(is_copy(result.open_cells.points[v]));
-    std::size_t found = 0;
-    for (const FeatureRow& row : result.table.rows()) {
-      SCOPED_TRACE(row.name);
-      const FeatureMesh& mesh = result.mesh(row.feature);
-      ASSERT_EQ(mesh.identified.size(), mesh.points.size());
-      std::set<std::uint32_t> originals;
-      for (std::uint32_t v = 0; v < mesh.points.size(); ++v)
-        if (!is_copy(mesh.points[v])) {
-          const Point &x = mesh.points[v], &y = mesh.points[mesh.identified[v]];
-          for (const std::size_t k : {0u, 1u, 2u}) EXPECT_EQ(y[k], axes[k] && x[k] == 1 ? 0 : x[k]);
-        } else {
-          ++found;
-          originals.insert(mesh.identified[v]);
-          if (vertex == 0) {
-            EXPECT_NE(mesh.points[v], (Point{0, 0, 0}));
-          }
-          EXPECT_EQ(std::ranges::count(mesh.nodes, v), 1);
-        }
-      EXPECT_LE(originals.size(), 1u);
-      if (row.kind != FeatureKind::Page) continue;
-      const SurfaceTopology t = surface_topology(glued(mesh.triangles, mesh), mesh.points.size());
-      if (axes == kAll) {
-        EXPECT_EQ(t.boundary_edges, result.mesh(Feature::TripleCurve).segments.size());
-      }
-      EXPECT_EQ(t.nonmanifold_edges, 0u);
-      EXPECT_EQ(t.orientation_conflicts, 0u);
-    }
-    EXPECT_GT(found, 0u);
-    const PatchComplex& complex = *result.patches;
-    ASSERT_EQ(complex.corner_originals.size(), complex.corners.size());
-    std::set<std::uint32_t> originals;
-    for (std::uint32_t n = 0; n < complex.corners.size(); ++n)
-      if (is_copy(complex.corners[n].position)) originals.insert(complex.corner_originals[n]);
-    EXPECT_EQ(originals.size(), 1u);
-  }
 }
 
 }  // namespace

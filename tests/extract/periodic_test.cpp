@@ -4,9 +4,12 @@
 // Domains whose opposite sides are one.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include <cmath>
 #include <map>
 
+#include "isotropic_fields.hpp"
 #include "periodic_fields.hpp"
 #include "triplex/extract/extraction.hpp"
 #include "triplex/topology/curve_topology.hpp"
@@ -125,6 +128,68 @@ TEST(Periodic, PairsAreAllPointsOfTheSides) {
   EXPECT_EQ(pairs[2].size(), 16u);
   for (const auto& [low, high] : pairs[0]) EXPECT_EQ(high, low + 3);
   for (const auto& [low, high] : pairs[2]) EXPECT_EQ(high, low + 3 * 16);
+}
+
+/// On sides that are one: copies of the vertex, and one point of each page for them all.
+TEST(Periodic, CopiesOfAnIsotropicVertexAreOne) {
+  for (const auto& [axes, vertex] : {std::pair{kAll, 0u}, {PeriodicAxes{true, false, true}, 20u}}) {
+    TensorField field = test::periodic_noise(3, axes);
+    if (vertex == 0) {
+      test::set_isotropic_corner(field, 3);
+    } else {
+      field.tensors[vertex] = test::kIsotropic;
+      make_periodic(field, 3, axes);
+    }
+    ExtractionOptions options;
+    options.periodic = axes;
+    options.keep_patches = true;
+    options.max_bisections = 100;
+    const Extraction result = extract(field, options);
+    const auto is_copy = [&](const Point& x) {
+      for (std::size_t k = 0; k < 3; ++k)
+        if ((axes[k] && x[k] == 1 ? 0 : x[k]) != field.mesh.points[vertex][k]) return false;
+      return true;
+    };
+    std::size_t vertices = 0;
+    for (const Point& x : field.mesh.points) vertices += is_copy(x);
+    EXPECT_GT(vertices, 1u);
+    for (const auto& tet : result.open_cells.tets)
+      for (const std::uint32_t v : tet) EXPECT_FALSE(is_copy(result.open_cells.points[v]));
+    std::size_t found = 0;
+    for (const FeatureRow& row : result.table.rows()) {
+      SCOPED_TRACE(row.name);
+      const FeatureMesh& mesh = result.mesh(row.feature);
+      ASSERT_EQ(mesh.identified.size(), mesh.points.size());
+      std::set<std::uint32_t> originals;
+      for (std::uint32_t v = 0; v < mesh.points.size(); ++v)
+        if (!is_copy(mesh.points[v])) {
+          const Point &x = mesh.points[v], &y = mesh.points[mesh.identified[v]];
+          for (const std::size_t k : {0u, 1u, 2u}) EXPECT_EQ(y[k], axes[k] && x[k] == 1 ? 0 : x[k]);
+        } else {
+          ++found;
+          originals.insert(mesh.identified[v]);
+          if (vertex == 0) {
+            EXPECT_NE(mesh.points[v], (Point{0, 0, 0}));
+          }
+          EXPECT_EQ(std::ranges::count(mesh.nodes, v), 1);
+        }
+      EXPECT_LE(originals.size(), 1u);
+      if (row.kind != FeatureKind::Page) continue;
+      const SurfaceTopology t = surface_topology(glued(mesh.triangles, mesh), mesh.points.size());
+      if (axes == kAll) {
+        EXPECT_EQ(t.boundary_edges, result.mesh(Feature::TripleCurve).segments.size());
+      }
+      EXPECT_EQ(t.nonmanifold_edges, 0u);
+      EXPECT_EQ(t.orientation_conflicts, 0u);
+    }
+    EXPECT_GT(found, 0u);
+    const PatchComplex& complex = *result.patches;
+    ASSERT_EQ(complex.corner_originals.size(), complex.corners.size());
+    std::set<std::uint32_t> originals;
+    for (std::uint32_t n = 0; n < complex.corners.size(); ++n)
+      if (is_copy(complex.corners[n].position)) originals.insert(complex.corner_originals[n]);
+    EXPECT_EQ(originals.size(), 1u);
+  }
 }
 
 }  // namespace
