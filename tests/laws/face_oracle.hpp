@@ -53,6 +53,7 @@ class FaceOracle {
     const Tensor<Exact> shift = tiny_shift(field_);
     for (auto& t : corners)
       for (std::size_t k = 0; k < 9; ++k) t[k] = t[k] + shift[k];
+    if (corners[0] == corners[1] && corners[0] == corners[2]) return count_of_constant(corners);
     return count_somehow(corners);
   }
   std::size_t eliminations() const { return eliminations_; }
@@ -96,6 +97,12 @@ class FaceOracle {
       std::rotate(corners.begin(), corners.begin() + 1, corners.end());
     }
     return std::nullopt;
+  }
+  /// Elimination has nothing to eliminate: p and q vanish everywhere or nowhere.
+  static std::optional<int> count_of_constant(const std::array<Tensor<Exact>, 3>& corners) {
+    const auto forms = forms_of<Exact, 3>(corners);
+    if (forms.P(0, 0).is_zero() && forms.Q(0, 0, 0).is_zero()) return std::nullopt;
+    return 0;
   }
   static bool vanishes(const Univariate& f) {
     return std::ranges::all_of(f, [](const Exact& x) { return x.is_zero(); });
