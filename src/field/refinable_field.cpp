@@ -250,7 +250,7 @@ std::optional<VertexId> RefinableField::add_point_between(VertexId a, VertexId b
       (WeightNumerator{1} << ratio.depth) - ratio.numerator, ratio.numerator};
   Combination middle;
   middle.depth = std::max(ends[0].depth, ends[1].depth) + ratio.depth;
-  if (middle.depth > kMaxDepth) return std::nullopt;
+  if (middle.depth > kWordDepth) return add_rational_between(a, b, at);
   int used = 0;
   for (std::size_t k = 0; k < 2; ++k) {
     const Combination& end = ends[k];

@@ -100,16 +100,20 @@ Exact RefinableField::denominator(VertexId v) const {
   return is_rational(v) ? rational_.at(v).denominator : Exact(1);
 }
 
+RefinableField::Rational RefinableField::rational(VertexId v) const {
+  if (is_rational(v)) return rational_.at(v);
+  const Combination c = combination(v);
+  Rational r{c.vertices, {}, Exact(1), c.depth};
+  for (std::size_t i = 0; i < 4; ++i)
+    if (c.numerators[i] != 0) r.numerators[i] = exact_dyadic(c.numerators[i], c.depth);
+  return r;
+}
+
 /// (1 - at) n_a / N_a + at n_b / N_b, over N_a N_b or over their common value: the denominators are
 /// those of few points.
 std::optional<VertexId> RefinableField::add_rational_between(VertexId a, VertexId b, double at) {
-  if (!is_rational(a)) {
-    std::swap(a, b);
-    at = 1 - at;
-  }
-  Rational middle = rational_.at(a);
-  if (is_rational(b)) middle.depth = std::max(middle.depth, rational_.at(b).depth);
-  middle.depth += dyadic(at).depth;
+  Rational middle = rational(a);
+  middle.depth = std::max(middle.depth, rational(b).depth) + dyadic(at).depth;
   if (middle.depth > kMaxDepth) return std::nullopt;
   const Exact own = denominator(a), other = denominator(b);
   const bool same = own == other;
@@ -178,8 +182,7 @@ std::optional<VertexId> RefinableField::add_enclosed_midpoint(VertexId a, Vertex
   const bool both = is_enclosed(b);
   Enclosed other = both ? enclosed_.at(b) : Enclosed{.vertices = middle.vertices, .of_node = 0};
   if (!both) {
-    if (is_rational(b))
-      throw std::logic_error("an edge between an enclosed vertex and a rational one");
+    if (is_rational(b)) return std::nullopt;
     const Combination c = combination(b);
     other.depth = c.depth;
     for (std::size_t i = 0; i < 4; ++i) {

@@ -33,10 +33,13 @@ class SimplexGrid {
     cells_->InsertNextCell(static_cast<vtkIdType>(points.size()), ids.data());
     types_->InsertNextValue(kTypes[points.size()]);
   }
+  /// Takes no copy: the values must last until `write`.
   template <class T>
   void add_array(const char* name, const std::vector<T>& values) {
     grid_->GetCellData()->AddArray(to_vtk_array(name, values.data(), values.size()));
   }
+  template <class T>
+  void add_array(const char* name, std::vector<T>&& values) = delete;
   void write(const std::filesystem::path& file) {
     grid_->SetCells(types_, cells_);
     write_xml(file, *vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New(), *grid_);

@@ -16,12 +16,13 @@ void write_open_cells(const std::filesystem::path& file, const OpenCells& cells)
     throw std::invalid_argument("the arrays of the open cells differ in length");
   detail::SimplexGrid grid(cells.points);
   for (const auto& tet : cells.tets) grid.add(tet);
-  const std::vector<std::int64_t> features(cells.features.begin(), cells.features.end());
+  const std::vector<std::int64_t> features(cells.features.begin(), cells.features.end()),
+      depth(cells.depth.begin(), cells.depth.end());
   std::vector<std::uint8_t> obstacle;
   for (const Obstacle o : cells.obstacle) obstacle.push_back(static_cast<std::uint8_t>(o));
   grid.add_array("Features", features);
   grid.add_array("Obstacle", obstacle);
-  grid.add_array("Depth", cells.depth);
+  grid.add_array("Depth", depth);
   grid.add_array("SourceCellId", cells.source_cell);
   grid.write(file);
 }

@@ -101,8 +101,8 @@ void bisect(const Leaf& leaf, const MarkedEdges& marked, std::vector<Leaf>& out)
     // The midpoint takes the place of one end, then moves to the back: 3 - i swaps of neighbours.
     Leaf child{.vertices = leaf.vertices, .input = leaf.input, .flipped = leaf.flipped};
     // The depths of the four vertices, each at most kMaxDepth, add up to at least this.
-    static_assert(4 * RefinableField::kMaxDepth < 256);
-    child.depth = static_cast<std::uint8_t>(leaf.depth + 1);
+    static_assert(4 * RefinableField::kMaxDepth < 65536);
+    child.depth = static_cast<std::uint16_t>(leaf.depth + 1);
     const auto i = std::find(child.vertices.begin(), child.vertices.end(), replaced);
     const auto swaps = child.vertices.end() - 1 - i;
     std::move(i + 1, child.vertices.end(), i);

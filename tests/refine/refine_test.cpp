@@ -120,9 +120,13 @@ TEST(Refine, MidpointsCarryTheExactMeanAndBoundedDoubles) {
   RefinableField f(field);
   const auto tet = f.input_tets().front();
   VertexId a = tet[0], b = tet[1];
-  for (int depth = 0; depth < 40; ++depth) {
+  for (int depth = 0; depth < 100; ++depth) {
     const auto m = f.add_midpoint(a, b);
     ASSERT_TRUE(m);
+    if (f.is_rational(*m)) {
+      EXPECT_GE(depth, RefinableField::kWordDepth);
+      EXPECT_TRUE((f.denominator(*m) - Exact(1)).is_zero());
+    }
     const auto ta = f.exact(a), tb = f.exact(b), tm = f.exact(*m);
     const ApproximateTensor& approximate = f.approximate(*m);
     const Exact scale(std::ldexp(1.0, f.scale_exponent()));
@@ -136,6 +140,7 @@ TEST(Refine, MidpointsCarryTheExactMeanAndBoundedDoubles) {
     (depth % 3 == 0 ? a : b) = *m;
     if (depth % 7 == 6) b = tet[2 + depth % 2];
   }
+  EXPECT_TRUE(f.has_rational_vertices());
 }
 
 TEST(Refine, DepthIsLimited) {

@@ -46,7 +46,7 @@ struct OpenCells {
   std::vector<FeatureSet> features;       ///< not certified
   std::vector<Obstacle> obstacle;         ///< the certificate that failed
   std::vector<std::int64_t> source_cell;  ///< cell id in the input file
-  std::vector<std::uint8_t> depth;        ///< how often it was halved
+  std::vector<std::uint16_t> depth;       ///< how often it was halved
   std::uint64_t left_out = 0;             ///< open cells beyond kMostOpenCells, the smallest ones
 };
 inline constexpr std::size_t kMostOpenCells = 1'000'000;

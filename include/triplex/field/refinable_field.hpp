@@ -77,7 +77,7 @@ class RefinableField {
   /// A point between two vertices of one tet, as a new vertex: (1 - at) a + at b, where `at` is a
   /// dyadic inside (0, 1); nothing if a weight is no multiple of 2^-kMaxDepth. If an end is
   /// enclosed, so is the new vertex, which is the midpoint whatever `at` says; nothing if the edge
-  /// is too short to be told from the enclosures.
+  /// is too short to be told from the enclosures, or the other end is rational.
   std::optional<VertexId> add_point_between(VertexId a, VertexId b, double at);
   std::optional<VertexId> add_midpoint(VertexId a, VertexId b) {
     return add_point_between(a, b, 0.5);
@@ -138,8 +138,9 @@ class RefinableField {
   double weight(VertexId v, VertexId corner) const;
   static constexpr double kWeightError = 0x1p-50;
 
-  /// Weights are multiples of 2^-kMaxDepth: their numerators and 2^kMaxDepth are 64-bit integers.
-  static constexpr int kMaxDepth = 63;
+  /// Weights of points made by halving are multiples of 2^-kMaxDepth. Beyond kWordDepth, as long as
+  /// their numerators and 2^kWordDepth are 64-bit integers, they are kept as rational ones are.
+  static constexpr int kWordDepth = 63, kMaxDepth = 2 * kWordDepth;
 
  private:
   struct Combination {  // sum of n_i / 2^depth over at most four input vertices; unused: n = 0
@@ -160,16 +161,17 @@ class RefinableField {
     std::array<WeightNumerator, 4> of_vertices{};
     int depth = 0;
   };
-  static constexpr int kMaxEnclosedDepth = kMaxDepth;
+  static constexpr int kMaxEnclosedDepth = kWordDepth;
   /// A point with weights n_i / N, where N = n_0 + ... + n_3 is at least 1 and below 2.
   struct Rational {
     std::array<VertexId, 4> vertices{};
     std::array<Exact, 4> numerators;
     Exact denominator;
-    int depth = 0;  // halvings since `add_rational`
+    int depth = 0;  // halvings that led to it, but for those before `add_rational`
     std::array<double, 4> weights_approx() const;
   };
   VertexId add(Rational r);
+  Rational rational(VertexId v) const;
   std::optional<VertexId> add_rational_between(VertexId a, VertexId b, double at);
   ApproximateTensor combine_rational(const Rational& r, bool with_trace) const;
   VertexId add(const Enclosed& e);

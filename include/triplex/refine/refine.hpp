@@ -25,7 +25,7 @@ struct Leaf {
   FeatureSet open = 0;               ///< features not certified
   bool has_spine_proof = false;
   Obstacle obstacle = Obstacle::None;  ///< why `open` is not empty
-  std::uint8_t depth = 0;              ///< bisections between the input's tet and this one
+  std::uint16_t depth = 0;             ///< bisections between the input's tet and this one
 };
 
 /// What stopped the refinement of a tet that is still open.
