@@ -10,7 +10,7 @@ namespace triplex::cli {
 
 /// How much work an extraction may be, and what it shows of it.
 struct EffortOptions {
-  std::optional<std::uint32_t> max_bisections;  ///< nothing: `default_budget`
+  std::optional<std::uint32_t> max_bisections;  ///< nothing: as `ExtractionOptions` says
   std::optional<std::size_t> max_tets;          ///< nothing: `default_size_limit`
   unsigned threads = 0;                         ///< 0: all cores
   bool quiet = false;                           ///< no progress

@@ -155,10 +155,6 @@ FeatureSet certified_features(const ExtractionOptions& options, FeatureSet curve
   return all & ~curves;
 }
 
-std::uint32_t budget_of(const ExtractionOptions& options, const TensorField& field) {
-  return options.max_bisections.value_or(default_budget(field.mesh.tets.size()));
-}
-
 std::size_t size_limit_of(const ExtractionOptions& options, const TensorField& field) {
   return options.max_tets.value_or(default_size_limit(field.mesh.tets.size()));
 }
@@ -169,7 +165,8 @@ RefineOptions refine_options(const ExtractionOptions& options, FeatureSet certif
   r.table = options.table;
   r.features = certified;
   r.periodic = options.periodic;
-  r.max_bisections = budget_of(options, field);
+  r.max_bisections = options.max_bisections.value_or(kDefaultBudget);
+  r.reserve = options.max_bisections ? 0 : kDefaultReserve;
   r.max_tets = size_limit_of(options, field);
   // Domains, arcs that are sampled, and sides of periodic domains want one crossing per edge.
   r.stacks = options.stacks && !options.domains && !options.keep_patches && !any(options.periodic);
@@ -225,8 +222,8 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
 
   result.sign_stages = stages;
   result.certificates = count_certificates(complex, certified);
-  result.refinement = {complex.rounds, complex.bisections, complex.leaves.size(),
-                       budget_of(options, field), size_limit_of(options, field)};
+  result.refinement = {complex.rounds, complex.bisections, complex.leaves.size(), complex.budget,
+                       size_limit_of(options, field)};
   result.identical = find_identical(field, complex.field);
   result.unresolved = unresolved_tets(field, complex, result.nodes, result.identical, options.table,
                                       result.refinement.max_bisections);

@@ -20,6 +20,7 @@
 #include "node_stars.hpp"
 #include "triplex/certify/isotropic.hpp"
 #include "triplex/certify/sweep.hpp"
+#include "wedge.hpp"
 
 namespace triplex {
 namespace {
@@ -46,6 +47,7 @@ class Refinement {
         stars_(complex_, options.table, options.features),
         spent_(input.mesh.tets.size(), 0),
         granted_(input.mesh.tets.size(), 0) {
+    complex_.budget = options.max_bisections;
     if (level_sets_ != 0) complex_.field.keep_tensors();
     if (any(options.periodic))
       complex_.copies = PeriodicCopies(input, complex_.field, options.periodic);
@@ -57,7 +59,10 @@ class Refinement {
     while (!pending_.empty()) {
       std::vector<Mark> marks = certify_pending();
       pending_.clear();
-      if (marks.empty()) break;
+      if (marks.empty()) {
+        share_reserve();
+        continue;
+      }
       complex_.rounds += 1;
       bisect_marked(std::move(marks));
       label_vertices();
@@ -201,8 +206,9 @@ class Refinement {
   }
   /// The edge that failed to be certified, unless the leaf has become too long.
   Mark mark_of(const Leaf& leaf, const CellCertificate& certificate) const {
-    const auto longest = edge_of_needle(complex_.field, leaf);
-    return {longest ? *longest : certificate.edge, certificate.variation};
+    auto edge = edge_across_wedge(complex_.field, leaf);
+    if (!edge) edge = edge_of_needle(complex_.field, leaf);
+    return {edge.value_or(certificate.edge), certificate.variation};
   }
 
   /// The open ones among the pending leaves of tets in which refinement lasts.
@@ -336,7 +342,7 @@ class Refinement {
       for (const Wish& wish : wishes) {
         const TetId tet = complex_.leaves[wish.leaf].input;
         std::uint32_t& spent = (wish.is_certified ? granted_ : spent_)[index(tet)];
-        if (spent >= options_.max_bisections) continue;
+        if (spent >= (wish.is_certified ? options_.max_bisections : complex_.budget)) continue;
         asking.push_back(&spent);
         marks.push_back(wish.mark);
       }
@@ -344,6 +350,27 @@ class Refinement {
     }
     for (std::uint32_t* const spent : asking) *spent += 1;
     return marks;
+  }
+
+  /// Once, when nothing is bisected any more: the tets whose budget was too small go on, if they
+  /// are few. Their open leaves become pending.
+  void share_reserve() {
+    if (reserve_is_shared_ || complex_.hit_size_limit) return;
+    reserve_is_shared_ = true;
+    std::unordered_set<TetId> tets;
+    for (std::size_t n = 0; n < complex_.leaves.size(); ++n) {
+      const Leaf& leaf = complex_.leaves[n];
+      if (leaf.open == 0 || is_at_vertex(leaf.obstacle) ||
+          spent_[index(leaf.input)] < complex_.budget)
+        continue;
+      tets.insert(leaf.input);
+      pending_.push_back(static_cast<std::uint32_t>(n));
+    }
+    const auto share = static_cast<std::uint32_t>(options_.reserve / std::max(tets.size(), 1ul));
+    if (share < options_.max_bisections)
+      pending_.clear();
+    else
+      complex_.budget += share;
   }
 
   /// Replaces every tet with marked edges by its parts; the parts become pending.
@@ -371,6 +398,7 @@ class Refinement {
   StagesPerThread stages_;
   std::vector<std::uint32_t> spent_;    // bisections asked for, per input tet
   std::vector<std::uint32_t> granted_;  // the same, of certified leaves
+  bool reserve_is_shared_ = false;
   std::unordered_set<TetId> searched_;  // tets of the input
   std::vector<std::uint32_t> pending_;  // leaves without a current certificate
   tbb::enumerable_thread_specific<std::vector<Wish>> wishes_;  // in any order: marks are sorted

@@ -5,8 +5,13 @@
 // with the budget that small fields have.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+#include <utility>
+
 #include "triplex/extract/extraction.hpp"
 #include "triplex/field/generators.hpp"
+#include "triplex/refine/refine.hpp"
 
 namespace triplex {
 namespace {
@@ -33,14 +38,32 @@ TEST(RandomFields, OnACubeAreResolved) {
   }
 }
 
-TEST(DefaultBudget, IsSharedByFewTets) {
-  EXPECT_EQ(default_budget(1), 65536u);
-  EXPECT_EQ(default_budget(6), 65536u / 6);
-  EXPECT_EQ(default_budget(64), 1024u);
-  EXPECT_EQ(default_budget(1'500'000), 1024u);
+/// Of 48 tets a budget of 8 leaves some, which share a reserve as long as it is worth it; the budget
+/// is that of every tet.
+TEST(Reserve, IsSharedByTheTetsLeftIfTheyAreFew) {
   GridOptions grid;
-  grid.n = 1;
-  EXPECT_EQ(extract(generate_random_linear(grid)).refinement.max_bisections, 65536u / 6);
+  grid.n = 2;
+  const TensorField field = generate_random_linear(grid);
+  RefineOptions options;
+  options.max_bisections = 8;
+  const auto left = [&](std::uint32_t reserve) {
+    options.reserve = reserve;
+    const RefinedComplex complex = refine(field, options);
+    std::set<TetId> tets;
+    for (const Leaf& leaf : complex.leaves)
+      if (leaf.open != 0) tets.insert(leaf.input);
+    EXPECT_TRUE(std::ranges::all_of(
+        tets, [&](TetId t) { return complex.asked_for[index(t)] >= complex.budget; }));
+    return std::pair(tets.size(), complex.budget);
+  };
+  const auto [count, budget] = left(0);
+  ASSERT_GT(count, 1u);
+  EXPECT_EQ(budget, 8u);
+  const auto n = static_cast<std::uint32_t>(count);
+  EXPECT_EQ(left(8 * n - 1), std::pair(count, 8u));
+  const auto [after, shared] = left(1000 * n + n - 1);
+  EXPECT_EQ(shared, 1008u);
+  EXPECT_LT(after, count);
 }
 
 }  // namespace

@@ -60,13 +60,9 @@ struct ExtractionTiming {
   double refine_s = 0, nodes_s = 0, curves_s = 0, extract_s = 0;
 };
 
-/// The bisections that one tet may ask for in a field of so many tets: 1024, or its share of 65536
-/// if that is more, as a tet that holds the whole topology of a field may need more than one of
-/// many. Source: docs/decisions/0015-small-fields-share-a-budget.md.
-constexpr std::uint32_t default_budget(std::size_t tets) {
-  constexpr std::size_t kEach = 1024, kTogether = 65536;
-  return static_cast<std::uint32_t>(std::max(kEach, kTogether / std::max<std::size_t>(tets, 1)));
-}
+/// The bisections that one tet may ask for, and those that the tets left share when these are at
+/// most 32. Source: docs/decisions/0014-budget-of-1024.md, 0020-few-tets-share-a-reserve.md.
+inline constexpr std::uint32_t kDefaultBudget = 1024, kDefaultReserve = 32 * kDefaultBudget;
 
 /// The tets that the refined mesh of so many tets may have: 10 million for 1.5 million, 4.5 GB at
 /// 450 bytes each with all that is made of them. Source: docs/decisions/0014-budget-of-1024.md.
@@ -97,7 +93,7 @@ struct ExtractionOptions {
   /// `keep_patches`. Where cells stay open the mesh may have cracks beside such cells.
   bool stacks = false;
   /// Bisections that one tet of the input may ask for before it is reported as unresolved. Nothing:
-  /// `default_budget`.
+  /// kDefaultBudget, and its share of kDefaultReserve if few tets are left.
   std::optional<std::uint32_t> max_bisections;
   /// Tets of the refined mesh: no round of bisections starts with more, and what is open then is
   /// reported as unresolved. Bounds memory; 0: no limit. Nothing: `default_size_limit`.

@@ -41,6 +41,8 @@ struct RefineOptions {
   FeatureSet features = kStandardSet;  ///< rows of the table
   /// Bisections that one tet of the input may ask for.
   std::uint32_t max_bisections = 1024;
+  /// Bisections that the tets left share, beyond these, if that is at least as much for each again.
+  std::uint32_t reserve = 0;
   /// Opposite sides that are one: they are refined alike.
   PeriodicAxes periodic{};
   /// Certify stacked sheets: edges may be crossed twice (`RefinedComplex::doubles`).
@@ -75,6 +77,7 @@ struct RefinedComplex {
   std::vector<DoubleCrossing> doubles;   ///< sorted; some of their edges may be no more
   std::vector<std::uint32_t> asked_for;  ///< per tet of the input: bisections that it asked for
   std::uint64_t rounds = 0, bisections = 0;
+  std::uint32_t budget = 0;  ///< that a tet had, its share of the reserve included
   bool hit_size_limit = false;
   SignStages sign_stages;
 };
