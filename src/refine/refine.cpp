@@ -14,6 +14,7 @@
 #include <unordered_set>
 
 #include "bisection.hpp"
+#include "budget.hpp"
 #include "exact_points.hpp"
 #include "leaf_lookup.hpp"
 #include "needle.hpp"
@@ -45,9 +46,8 @@ class Refinement {
                 options.table.page_count() == kStandardPages),
         complex_(input),
         stars_(complex_, options.table, options.features),
-        spent_(input.mesh.tets.size(), 0),
-        granted_(input.mesh.tets.size(), 0) {
-    complex_.budget = options.max_bisections;
+        budget_(input.mesh.tets.size(), options.max_bisections),
+        wish_budget_(input.mesh.tets.size(), options.max_bisections) {
     if (level_sets_ != 0) complex_.field.keep_tensors();
     if (any(options.periodic))
       complex_.copies = PeriodicCopies(input, complex_.field, options.periodic);
@@ -68,7 +68,8 @@ class Refinement {
       label_vertices();
     }
     for (const SignStages& stages : stages_) complex_.sign_stages += stages;
-    complex_.asked_for = std::move(spent_);
+    complex_.budget = budget_.limit();
+    complex_.asked_for = std::move(budget_).take();
     collect_double_crossings();
     return std::move(complex_);
   }
@@ -216,7 +217,8 @@ class Refinement {
     std::vector<std::uint32_t> open;
     for (const std::uint32_t n : pending_) {
       const Leaf& leaf = complex_.leaves[n];
-      if (leaf.open != 0 && spent_[index(leaf.input)] >= kBisectionsBeforeSearch) open.push_back(n);
+      if (leaf.open != 0 && budget_.asked_for(leaf.input) >= kBisectionsBeforeSearch)
+        open.push_back(n);
     }
     std::ranges::sort(open);  // leaves that were replaced are pending twice
     open.erase(std::unique(open.begin(), open.end()), open.end());
@@ -337,40 +339,33 @@ class Refinement {
       complex_.hit_size_limit = true;
       return marks;
     }
-    std::vector<std::uint32_t*> asking;
+    std::vector<std::pair<Budget*, TetId>> asking;
     for (auto& wishes : wishes_) {
       for (const Wish& wish : wishes) {
+        Budget& budget = wish.is_certified ? wish_budget_ : budget_;
         const TetId tet = complex_.leaves[wish.leaf].input;
-        std::uint32_t& spent = (wish.is_certified ? granted_ : spent_)[index(tet)];
-        if (spent >= (wish.is_certified ? options_.max_bisections : complex_.budget)) continue;
-        asking.push_back(&spent);
+        if (budget.is_spent(tet)) continue;
+        asking.emplace_back(&budget, tet);
         marks.push_back(wish.mark);
       }
       wishes.clear();
     }
-    for (std::uint32_t* const spent : asking) *spent += 1;
+    for (const auto& [budget, tet] : asking) budget->ask(tet);
     return marks;
   }
 
   /// Once, when nothing is bisected any more: the tets whose budget was too small go on, if they
-  /// are few. Their open leaves become pending.
+  /// are few. Those without charts are counted apart: no topology depends on the wish.
   void share_reserve() {
     if (reserve_is_shared_ || complex_.hit_size_limit) return;
     reserve_is_shared_ = true;
-    std::unordered_set<TetId> tets;
-    for (std::size_t n = 0; n < complex_.leaves.size(); ++n) {
-      const Leaf& leaf = complex_.leaves[n];
-      if (leaf.open == 0 || is_at_vertex(leaf.obstacle) ||
-          spent_[index(leaf.input)] < complex_.budget)
-        continue;
-      tets.insert(leaf.input);
-      pending_.push_back(static_cast<std::uint32_t>(n));
-    }
-    const auto share = static_cast<std::uint32_t>(options_.reserve / std::max(tets.size(), 1ul));
-    if (share < options_.max_bisections)
-      pending_.clear();
-    else
-      complex_.budget += share;
+    pending_ = budget_.share(options_.reserve, complex_.leaves, [](const Leaf& leaf) {
+      return leaf.open != 0 && !is_at_vertex(leaf.obstacle);
+    });
+    if (options_.wish)
+      std::ranges::copy(wish_budget_.share(options_.reserve, complex_.leaves,
+                                           [](const Leaf& leaf) { return leaf.open == 0; }),
+                        std::back_inserter(pending_));
   }
 
   /// Replaces every tet with marked edges by its parts; the parts become pending.
@@ -396,8 +391,7 @@ class Refinement {
   RefinedComplex complex_;
   NodeStars stars_;
   StagesPerThread stages_;
-  std::vector<std::uint32_t> spent_;    // bisections asked for, per input tet
-  std::vector<std::uint32_t> granted_;  // the same, of certified leaves
+  Budget budget_, wish_budget_;  // of open leaves, of certified ones
   bool reserve_is_shared_ = false;
   std::unordered_set<TetId> searched_;  // tets of the input
   std::vector<std::uint32_t> pending_;  // leaves without a current certificate

@@ -28,9 +28,6 @@ struct Leaf {
   std::uint16_t depth = 0;             ///< bisections between the input's tet and this one
 };
 
-/// What stopped the refinement of a tet that is still open.
-enum class Limit : std::uint8_t { None, Budget, Depth, Size };
-
 /// The edge along which a certified leaf should be bisected all the same; nothing if it is good
 /// enough.
 using LeafWish =
