@@ -69,7 +69,10 @@ Verdict one_root_per_segment(const std::array<Tensor<NT>, N>& a, const BlockEntr
 
 template <int N>
 bool certifies_block(const Simplex<N>& simplex, SignStages& stages) {
-  if (!touches_in_isolated_points(simplex) || !excludes_block_node(simplex, stages)) return false;
+  if (!touches_in_isolated_points(simplex)) return false;
+  if (!simplex.field().is_inside_boundary_block_face(simplex.vertices()) &&
+      !excludes_block_node(simplex, stages))
+    return false;
   const BlockEntries m(simplex.block_axis());
   const auto [a, bounds] = approximate_tensors(simplex);
   if (bounds.usable()) {

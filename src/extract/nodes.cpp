@@ -14,6 +14,7 @@
 
 #include "triplex/arithmetic/interval.hpp"
 #include "triplex/bernstein/forms.hpp"
+#include "triplex/certify/block_node.hpp"
 #include "triplex/refine/refine.hpp"
 
 namespace triplex {
@@ -77,6 +78,11 @@ std::vector<Task> tasks_of(const RefinedComplex& complex, FeatureSet features) {
   }
   for (const NodeVertex& node : complex.nodes)
     open[index(node.tet)] |= bit(node.feature) & features;
+  // There the page touches the boundary, and no leaf is open.
+  SignStages stages;
+  for (const auto& face : complex.field.boundary_block_faces())
+    if (!excludes_block_node(Simplex<3>(complex.field, face.vertices), stages))
+      open[index(face.tet)] |= features;
   std::vector<Task> tasks;
   for (std::size_t t = 0; t < open.size(); ++t) {
     if (open[t] == 0) continue;
@@ -188,9 +194,11 @@ std::vector<Candidate> candidates_of(const TensorField& input, const RefinableFi
       c.node.status = NodeStatus::Face;
     } else {
       c.point = exact_point(field, task, found);
-      c.node.status = c.point.empty()       ? NodeStatus::Shared
+      const bool is_on_face =
+          c.point.size() > 1 || (c.point.empty() && is_on_block_face(field, task.vertices, found));
+      c.node.status = is_on_face            ? NodeStatus::Face
                       : c.point.size() == 1 ? NodeStatus::Vertex
-                                            : NodeStatus::Face;
+                                            : NodeStatus::Shared;
     }
     if (c.vertex) {
       place(field, *c.vertex, c.node);

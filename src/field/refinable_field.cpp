@@ -80,7 +80,7 @@ RefinableField::RefinableField(const TensorField& field)
     for (std::size_t v = range.begin(); v < range.end(); ++v)
       approximations_[v] = approximate_input(field.tensors[input_of_[v]], scale_exponent_);
   });
-  find_mirror_planes();
+  find_block_faces();
 }
 
 std::vector<VertexId> RefinableField::vertices_of_input() const {

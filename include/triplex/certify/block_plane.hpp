@@ -16,6 +16,7 @@ namespace triplex {
 
 /// On an edge or a face in such a plane: disc(M) vanishes at most once on every segment between two
 /// opposite parts, so a degenerate page crosses the edge at most once, the face in one arc at most.
+/// No node is in it, or nothing is beyond it: at a node on the boundary the page only touches it.
 /// N = 2, 3 vertices. \pre simplex.block_axis() >= 0.
 template <int N>
 bool certifies_block(const Simplex<N>& simplex, SignStages& stages);

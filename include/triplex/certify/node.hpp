@@ -70,6 +70,12 @@ std::array<std::int64_t, 4> exact_weights(const RefinableField& field,
 bool is_at(const RefinableField& field, const std::array<VertexId, 4>& vertices,
            const IsolatedNode& node, VertexId v);
 
+/// Whether a node of a tet lies on one of its faces, on which the tensors are block triangular
+/// along an axis: there its place solves two equations in two unknowns. Guarantee: exact; a node
+/// may lie on a face without being proven to. Source: proofs/block_plane.md.
+bool is_on_block_face(const RefinableField& field, const std::array<VertexId, 4>& vertices,
+                      const IsolatedNode& node);
+
 /// The barycentric coordinates of a node in its tet, enclosed far beyond doubles where its system
 /// is regular. Guarantee: they hold those of the node in `node.box`. Source: proofs/node.md.
 std::array<ExactRange, 4> enclosed_weights(const RefinableField& field,

@@ -19,7 +19,7 @@ struct RefinedComplex;
 enum class NodeStatus : std::uint8_t {
   Proven,  ///< the enclosure lies inside one tet of the input and holds exactly one node
   Vertex,  ///< exactly at a vertex of the input
-  Face,    ///< exactly on a face or an edge of the input, at a point known as a fraction
+  Face,    ///< exactly on a face or an edge of the input
   Shared,  ///< a node of one tet's linear field, at rounding distance from the tet's boundary: on
            ///< which side is not known, so it need not be a node of the field
 };
@@ -51,7 +51,8 @@ struct NodeSearch {
 };
 
 /// The nodes on those of the degenerate surfaces in `features`, from the tets of the input that
-/// refinement left open there, and those with a node exactly at a vertex: others hold none.
+/// refinement left open there, those with a node exactly at a vertex, and those with a face on the
+/// boundary that may hold one although the tet is certified: others hold none.
 /// Guarantee: `NodeStatus` says what is proven of each. In a tet that is not listed as undecided no
 /// nondegenerate node is missing, except possibly one exactly on an edge, or on a face tangent to
 /// its cone, of leaves that are all certified for the perturbed field. The result does not depend

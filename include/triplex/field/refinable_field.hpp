@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -133,6 +134,18 @@ class RefinableField {
   /// Whether a simplex lies in a face of the input on which the tensors couple an axis to the plane
   /// beside it in neither way: a plane of symmetry, at least there.
   bool is_in_mirror_plane(std::span<const VertexId> simplex, int axis) const;
+  /// A face of the input on which tensors are block triangular along an axis, and that belongs to
+  /// one tet only: beyond it there is nothing.
+  struct BoundaryFace {
+    std::array<VertexId, 3> vertices;  ///< ascending
+    TetId tet;
+    friend auto operator<=>(const BoundaryFace&, const BoundaryFace&) = default;
+  };
+  const std::vector<BoundaryFace>& boundary_block_faces() const { return boundary_block_faces_; }
+  /// Whether a simplex lies in such a face, and not in one of its edges.
+  bool is_inside_boundary_block_face(std::span<const VertexId> simplex) const;
+  /// Faces on the boundary are identified with others: none of them counts as such.
+  void identify_boundary() { boundary_block_faces_.clear(); }
   /// The weight of a vertex of the input in a vertex that is not enclosed, up to kWeightError of
   /// itself; exactly if the vertex is neither rational nor made by more than 53 halvings.
   double weight(VertexId v, VertexId corner) const;
@@ -148,7 +161,9 @@ class RefinableField {
     std::array<WeightNumerator, 4> numerators{};
     int depth = 0;
   };
-  void find_mirror_planes();
+  void find_block_faces();
+  /// The vertices of the input that some vertices are combined of, ascending.
+  std::vector<VertexId> carrier(std::span<const VertexId> simplex) const;
   bool is_input(VertexId v) const { return index(v) < input_of_.size(); }
   /// A point known by an enclosure; the weights are those of its centre. It is a combination of a
   /// node and of vertices of the input with exact weights n / 2^depth.
@@ -198,6 +213,7 @@ class RefinableField {
   int scale_exponent_ = 0;
   /// Per axis: edges of the faces of the input that lie in its mirror planes, ascending and sorted.
   std::array<std::vector<std::array<VertexId, 2>>, 3> mirror_edges_;
+  std::vector<BoundaryFace> boundary_block_faces_;  // sorted
 };
 
 }  // namespace triplex
