@@ -222,11 +222,11 @@ Extraction run(const TensorField& field, const ExtractionOptions& options) {
 
   result.sign_stages = stages;
   result.certificates = count_certificates(complex, certified);
-  result.refinement = {complex.rounds, complex.bisections, complex.leaves.size(), complex.budget,
-                       size_limit_of(options, field)};
+  result.refinement = {complex.rounds, complex.bisections, complex.leaves.size(),
+                       complex.budget.largest_limit(), size_limit_of(options, field)};
   result.identical = find_identical(field, complex.field);
-  result.unresolved = unresolved_tets(field, complex, result.nodes, result.identical, options.table,
-                                      result.refinement.max_bisections);
+  result.unresolved =
+      unresolved_tets(field, complex, result.nodes, result.identical, options.table);
   result.open_cells = open_cells(field, complex);
   if (result.curves != 0) {
     result.timing.extract_s += watch.lap();

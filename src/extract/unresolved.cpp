@@ -90,15 +90,15 @@ std::optional<double> margin_of(const RefinedComplex& complex,
 }
 
 std::string reason_of(const UnresolvedTet& tet, Obstacle obstacle, bool has_node,
-                      bool hit_size_limit, std::uint32_t most_bisections) {
+                      bool hit_size_limit, std::uint32_t budget) {
   std::string reason = has_node ? "contains a node; " : "";
   reason += describe(obstacle);
   if (hit_size_limit)
     reason += "; the refined mesh reached its size limit";
-  else if (tet.bisections < most_bisections)
+  else if (tet.bisections < budget)
     reason += "; its vertices are as near to each other as their weights allow";
   else
-    reason += fmt::format("; budget of {} bisections spent", most_bisections);
+    reason += fmt::format("; budget of {} bisections spent", budget);
   for (int i = 0; i < kIdentities; ++i) {
     const auto identity = static_cast<Identity>(i);
     if (tet.touches & bit(identity))
@@ -113,8 +113,7 @@ std::string reason_of(const UnresolvedTet& tet, Obstacle obstacle, bool has_node
 std::vector<UnresolvedTet> unresolved_tets(const TensorField& input, const RefinedComplex& complex,
                                            const std::vector<Node>& nodes,
                                            const IdenticalSimplices& identical,
-                                           const FeatureTable& table,
-                                           std::uint32_t max_bisections) {
+                                           const FeatureTable& table) {
   const std::vector<TetId> with_nodes = tets_with_nodes(nodes);
   const std::vector<std::uint32_t> open = open_leaves(complex);
   std::vector<UnresolvedTet> result;
@@ -132,11 +131,11 @@ std::vector<UnresolvedTet> unresolved_tets(const TensorField& input, const Refin
     const auto leaves = std::span(open).subspan(begin, end - begin);
     add_place(complex, leaves, tet);
     tet.margin = margin_of(complex, leaves, table);
-    tet.bisections = complex.asked_for[index(id)];
+    tet.bisections = complex.budget.asked_for(id);
     for (const VertexId v : input.mesh.tets[index(id)])
       tet.touches |= identical.at_points[index(v)];
     tet.reason = reason_of(tet, gravest, std::ranges::binary_search(with_nodes, id),
-                           complex.hit_size_limit, max_bisections);
+                           complex.hit_size_limit, complex.budget.limit(id));
     result.push_back(std::move(tet));
     begin = end;
   }

@@ -14,7 +14,7 @@ namespace triplex {
 std::vector<UnresolvedTet> unresolved_tets(const TensorField& input, const RefinedComplex& complex,
                                            const std::vector<Node>& nodes,
                                            const IdenticalSimplices& identical,
-                                           const FeatureTable& table, std::uint32_t max_bisections);
+                                           const FeatureTable& table);
 
 /// A tet of the input that is open as a whole, without features and reason.
 UnresolvedTet whole_tet(const TensorField& input, TetId tet);

@@ -44,12 +44,17 @@ void check_options(const GridOptions& options, const Box& box) {
   }
 }
 
-/// The n + 1 coordinates along an axis; mirror-symmetric, with exact ends.
+/// The n + 1 coordinates along an axis, with exact ends. Fractions are rounded to multiples of a
+/// power of two, to the nearest (there are no ties), so that reflections about halves and quarters
+/// of the box map them to each other exactly, and fields of that symmetry are so in their roundings.
 std::vector<double> ticks(double lo, double hi, int n) {
+  constexpr int kBits = 50;
+  const auto cells = static_cast<std::uint64_t>(n);
   std::vector<double> x(n + 1);
-  for (int i = 0; i <= n; ++i) {
-    const double a = static_cast<double>(n - i) / n, b = static_cast<double>(i) / n;
-    x[i] = lo * a + hi * b;
+  for (std::uint64_t i = 0; i <= cells; ++i) {
+    const std::uint64_t rounded = ((i << kBits) + cells / 2) / cells;
+    const double b = std::ldexp(static_cast<double>(rounded), -kBits);
+    x[i] = lo * (1 - b) + hi * b;
   }
   return x;
 }

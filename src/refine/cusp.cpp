@@ -11,7 +11,7 @@ namespace triplex {
 namespace {
 
 /// Below this part of 2 |P|^3, the largest at a vertex, 3 Q^2 counts as small. A choice, by trial.
-constexpr double kSmall = 1.0 / 16;
+constexpr double kSmall = 1.0 / 64;
 /// An edge is long enough if P varies along it by this part of the most. A choice.
 constexpr double kLong = 0.5;
 
@@ -33,15 +33,19 @@ std::optional<std::array<VertexId, 2>> edge_across_cusp(const RefinableField& fi
   };
   const auto [lowest, highest] = std::ranges::minmax(p);
   if (!(lowest < 0 && highest > 0)) return {};
+  if (std::ranges::min(q) < 0 && std::ranges::max(q) > 0) return {};
   const double most_p = largest(p), most_q = largest(q);
   if (!(3 * most_q * most_q < kSmall * 2 * most_p * most_p * most_p)) return {};
   std::optional<std::array<VertexId, 2>> edge;
-  double least = HUGE_VAL;
+  double best_p = 0, best_q = 0;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i + 1; j < 4; ++j) {
       const double along_p = std::fabs(p[i] - p[j]), along_q = std::fabs(q[i] - q[j]);
-      if (!(along_p >= kLong * (highest - lowest)) || !(along_q < least * along_p)) continue;
-      least = along_q / along_p;
+      if (!(along_p >= kLong * (highest - lowest))) continue;
+      const double gain = best_q * along_p - along_q * best_p;
+      if (edge && !(gain > 0 || (gain == 0 && along_p > best_p))) continue;
+      best_p = along_p;
+      best_q = along_q;
       edge = {v[i], v[j]};
     }
   return edge;

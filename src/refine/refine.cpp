@@ -14,11 +14,12 @@
 #include <unordered_set>
 
 #include "bisection.hpp"
-#include "budget.hpp"
+#include "cusp.hpp"
 #include "exact_points.hpp"
 #include "leaf_lookup.hpp"
 #include "needle.hpp"
 #include "node_stars.hpp"
+#include "reserve.hpp"
 #include "triplex/certify/isotropic.hpp"
 #include "triplex/certify/sweep.hpp"
 #include "wedge.hpp"
@@ -49,8 +50,9 @@ class Refinement {
         budget_(input.mesh.tets.size(), options.max_bisections),
         wish_budget_(input.mesh.tets.size(), options.max_bisections) {
     if (level_sets_ != 0) complex_.field.keep_tensors();
-    if (any(options.periodic))
-      complex_.copies = PeriodicCopies(input, complex_.field, options.periodic);
+    if (!any(options.periodic)) return;
+    complex_.field.identify_boundary();
+    complex_.copies = PeriodicCopies(input, complex_.field, options.periodic);
   }
 
   RefinedComplex run() {
@@ -68,8 +70,7 @@ class Refinement {
       label_vertices();
     }
     for (const SignStages& stages : stages_) complex_.sign_stages += stages;
-    complex_.budget = budget_.limit();
-    complex_.asked_for = std::move(budget_).take();
+    complex_.budget = std::move(budget_);
     collect_double_crossings();
     return std::move(complex_);
   }
@@ -208,6 +209,7 @@ class Refinement {
   /// The edge that failed to be certified, unless the leaf has become too long.
   Mark mark_of(const Leaf& leaf, const CellCertificate& certificate) const {
     auto edge = edge_across_wedge(complex_.field, leaf);
+    if (!edge) edge = edge_across_cusp(complex_.field, leaf);
     if (!edge) edge = edge_of_needle(complex_.field, leaf);
     return {edge.value_or(certificate.edge), certificate.variation};
   }
@@ -354,18 +356,25 @@ class Refinement {
     return marks;
   }
 
-  /// Once, when nothing is bisected any more: the tets whose budget was too small go on, if they
-  /// are few. Those without charts are counted apart: no topology depends on the wish.
+  /// Once, when nothing is bisected any more: tets whose budget was too small go on, if they are
+  /// few. Those without charts are counted apart: no topology depends on the wish.
   void share_reserve() {
     if (reserve_is_shared_ || complex_.hit_size_limit) return;
     reserve_is_shared_ = true;
-    pending_ = budget_.share(options_.reserve, complex_.leaves, [](const Leaf& leaf) {
-      return leaf.open != 0 && !is_at_vertex(leaf.obstacle);
-    });
-    if (options_.wish)
-      std::ranges::copy(wish_budget_.share(options_.reserve, complex_.leaves,
-                                           [](const Leaf& leaf) { return leaf.open == 0; }),
-                        std::back_inserter(pending_));
+    const auto& leaves = complex_.leaves;
+    if (const auto tets = worth_a_share(leaves, budget_); budget_.share(options_.reserve, tets))
+      go_on([&](const Leaf& leaf) { return leaf.open != 0 && tets.contains(leaf.input); });
+    if (!options_.wish) return;
+    std::unordered_set<TetId> tets;
+    for (const Leaf& leaf : leaves)
+      if (leaf.open == 0 && wish_budget_.is_spent(leaf.input)) tets.insert(leaf.input);
+    if (wish_budget_.share(options_.reserve, tets))
+      go_on([&](const Leaf& leaf) { return leaf.open == 0 && tets.contains(leaf.input); });
+  }
+  template <class Predicate>
+  void go_on(const Predicate& goes_on) {
+    for (std::size_t n = 0; n < complex_.leaves.size(); ++n)
+      if (goes_on(complex_.leaves[n])) pending_.push_back(static_cast<std::uint32_t>(n));
   }
 
   /// Replaces every tet with marked edges by its parts; the parts become pending.

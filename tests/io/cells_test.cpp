@@ -162,8 +162,8 @@ TEST(Cells, VoxelsAreHexahedraInAnotherOrder) {
 
 TEST(Cells, OfARegularGridGetKuhnsCut) {
   TensorField kuhn;
-  kuhn.mesh = grid_mesh({.n = 3, .split = CellSplit::Six}, {});
-  EXPECT_EQ(geometry(read(brick(3, VTK_VOXEL, false, 0))), geometry(kuhn));
+  kuhn.mesh = grid_mesh({.n = 4, .split = CellSplit::Six}, {});
+  EXPECT_EQ(geometry(read(brick(4, VTK_VOXEL, false, 0))), geometry(kuhn));
 }
 
 TEST(Cells, MirroredAreTurnedAround) {

@@ -92,6 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
                     DegenerateFamily{"wide range", test::wide_range},
                     DegenerateFamily{"small linear", test::small_linear},
                     DegenerateFamily{"mirrored", test::mirrored},
+                    DegenerateFamily{"free slip", test::free_slip},
                     DegenerateFamily{"degenerate centre", test::degenerate_centre},
                     DegenerateFamily{"lorenz", test::lorenz, 32},
                     DegenerateFamily{"convection", test::convection}));

@@ -61,6 +61,22 @@ inline TensorField mirrored(Random& random, int n, CellSplit split) {
   }
   return linear(parts, n, split);
 }
+/// One tet with a face on a free-slip wall: there two entries of a column, or of a row, vanish.
+/// With an eigenvalue of the block near that of the axis, so that the surface touches the wall.
+inline TensorField free_slip(Random& random, int, CellSplit) {
+  const bool by_row = random() % 2 == 0;
+  const double near = oracle::integer(random, 2);
+  TensorField field;
+  field.mesh = one_tet();
+  for (std::size_t v = 0; v < 4; ++v) {
+    Tensor<double> t = oracle::integer_tensor(random, 6);
+    t[0] += 32, t[4] += 8 * near, t[8] += 8 * near;
+    for (const std::size_t k : by_row ? std::array{6, 7} : std::array{2, 5})
+      if (v < 3) t[k] = 0;
+    field.tensors.push_back(t);
+  }
+  return field;
+}
 /// Linear with a tensor of a degenerate kind at the centre, which is a vertex if n is even.
 inline TensorField degenerate_centre(Random& random, int n, CellSplit split) {
   std::array<Tensor<double>, 4> parts;

@@ -38,8 +38,8 @@ TEST(RandomFields, OnACubeAreResolved) {
   }
 }
 
-/// Of 48 tets a budget of 8 leaves some, which share a reserve as long as it is worth it; the budget
-/// is that of every tet.
+/// Of 48 tets a budget of 8 leaves some, which share a reserve as long as it is worth it; the
+/// budget is that of every tet.
 TEST(Reserve, IsSharedByTheTetsLeftIfTheyAreFew) {
   GridOptions grid;
   grid.n = 2;
@@ -52,9 +52,8 @@ TEST(Reserve, IsSharedByTheTetsLeftIfTheyAreFew) {
     std::set<TetId> tets;
     for (const Leaf& leaf : complex.leaves)
       if (leaf.open != 0) tets.insert(leaf.input);
-    EXPECT_TRUE(std::ranges::all_of(
-        tets, [&](TetId t) { return complex.asked_for[index(t)] >= complex.budget; }));
-    return std::pair(tets.size(), complex.budget);
+    EXPECT_TRUE(std::ranges::all_of(tets, [&](TetId t) { return complex.budget.is_spent(t); }));
+    return std::pair(tets.size(), complex.budget.largest_limit());
   };
   const auto [count, budget] = left(0);
   ASSERT_GT(count, 1u);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "triplex/certify/cell.hpp"
@@ -53,6 +54,28 @@ struct RefineOptions {
   const std::atomic<bool>* interrupted = nullptr;
 };
 
+/// How many bisections each tet of the input asked for, and how many it might.
+class Budget {
+ public:
+  Budget(std::size_t tets, std::uint32_t limit) : asked_for_(tets, 0), limit_(limit) {}
+
+  std::uint32_t asked_for(TetId tet) const { return asked_for_[index(tet)]; }
+  /// The share of the reserve included.
+  std::uint32_t limit(TetId tet) const { return sharing_.contains(tet) ? shared_limit_ : limit_; }
+  std::uint32_t largest_limit() const { return sharing_.empty() ? limit_ : shared_limit_; }
+  bool is_spent(TetId tet) const { return asked_for(tet) >= limit(tet); }
+
+  void ask(TetId tet) { asked_for_[index(tet)] += 1; }
+  /// Gives each of these tets an equal share of the reserve, if that is as much as the limit again;
+  /// once. False if it is not, or if there are none.
+  bool share(std::uint32_t reserve, std::unordered_set<TetId> tets);
+
+ private:
+  std::vector<std::uint32_t> asked_for_;  // per tet of the input
+  std::uint32_t limit_, shared_limit_ = 0;
+  std::unordered_set<TetId> sharing_;
+};
+
 /// A node that may have become a vertex of the refined mesh: known by an enclosure, inside a tet.
 struct NodeVertex {
   VertexId vertex;
@@ -71,10 +94,9 @@ struct RefinedComplex {
   std::vector<Leaf> leaves;
   PeriodicCopies copies;  ///< on opposite sides
   std::vector<NodeVertex> nodes;
-  std::vector<DoubleCrossing> doubles;   ///< sorted; some of their edges may be no more
-  std::vector<std::uint32_t> asked_for;  ///< per tet of the input: bisections that it asked for
+  std::vector<DoubleCrossing> doubles;  ///< sorted; some of their edges may be no more
   std::uint64_t rounds = 0, bisections = 0;
-  std::uint32_t budget = 0;  ///< that a tet had, its share of the reserve included
+  Budget budget{0, 0};
   bool hit_size_limit = false;
   SignStages sign_stages;
 };
