@@ -156,9 +156,8 @@ template std::vector<ExactWeights<2>> rational_block_nodes<2>(const Simplex<2>&)
 template std::vector<ExactWeights<3>> rational_block_nodes<3>(const Simplex<3>&);
 
 template <int N>
-bool excludes_block_node(const Simplex<N>& simplex, SignStages& stages) {
+bool excludes_block_node(const Simplex<N>& simplex, int axis, SignStages& stages) {
   const RefinableField& field = simplex.field();
-  const int axis = simplex.block_axis();
   unsigned zero = 0b111111;
   for (const VertexId v : simplex.vertices()) zero &= field.zero_couplings(v);
   const bool column = zero >> axis & 1u, row = zero >> (3 + axis) & 1u;
@@ -173,7 +172,7 @@ bool excludes_block_node(const Simplex<N>& simplex, SignStages& stages) {
   return BesideNode<Exact, N>{simplex.exact_tensors(), node, 0}.excludes_node(axis, column, row);
 }
 
-template bool excludes_block_node<2>(const Simplex<2>&, SignStages&);
-template bool excludes_block_node<3>(const Simplex<3>&, SignStages&);
+template bool excludes_block_node<2>(const Simplex<2>&, int, SignStages&);
+template bool excludes_block_node<3>(const Simplex<3>&, int, SignStages&);
 
 }  // namespace triplex

@@ -65,15 +65,9 @@ Verdict one_root_per_segment(const std::array<Tensor<NT>, N>& a, const BlockEntr
   return one_change_in_some_split<N, 2>(signs);  // pairs come in the order of the exponents
 }
 
-}  // namespace
-
+/// The same, rung by rung.
 template <int N>
-bool certifies_block(const Simplex<N>& simplex, SignStages& stages) {
-  if (!touches_in_isolated_points(simplex)) return false;
-  if (!simplex.field().is_inside_boundary_block_face(simplex.vertices()) &&
-      !excludes_block_node(simplex, stages))
-    return false;
-  const BlockEntries m(simplex.block_axis());
+bool one_root_of_block(const Simplex<N>& simplex, const BlockEntries& m, SignStages& stages) {
   const auto [a, bounds] = approximate_tensors(simplex);
   if (bounds.usable()) {
     const Verdict verdict = one_root_per_segment<double, N>(a, m, discriminant_error(bounds));
@@ -95,6 +89,18 @@ bool certifies_block(const Simplex<N>& simplex, SignStages& stages) {
     verdict = one_root_per_segment<Series<3>, N>(perturbed, m, 0);
   }
   return verdict == Verdict::Yes;
+}
+
+}  // namespace
+
+template <int N>
+bool certifies_block(const Simplex<N>& simplex, SignStages& stages) {
+  if (!touches_in_isolated_points(simplex)) return false;
+  const bool touches_only = simplex.field().is_inside_boundary_block_face(simplex.vertices());
+  return std::ranges::any_of(block_axes(simplex), [&](int axis) {
+    return (touches_only || excludes_block_node(simplex, axis, stages)) &&
+           one_root_of_block(simplex, BlockEntries(axis), stages);
+  });
 }
 
 namespace {

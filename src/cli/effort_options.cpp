@@ -8,7 +8,8 @@ void add_effort_options(CLI::App& command, EffortOptions& options) {
   command
       .add_option("--max-bisections", options.max_bisections,
                   "Bisections that one tet may ask for before it is listed as unresolved; without "
-                  "it 1024, and where at most 64 tets are left, these share another 65536")
+                  "it 1024, and where at most 64 tets are left, these share another 65536, 16384 "
+                  "each at most")
       ->check(CLI::Range(0u, 1'000'000u))
       ->type_name("N");
   command

@@ -81,7 +81,8 @@ std::vector<Task> tasks_of(const RefinedComplex& complex, FeatureSet features) {
   // There the page touches the boundary, and no leaf is open.
   SignStages stages;
   for (const auto& face : complex.field.boundary_block_faces())
-    if (!excludes_block_node(Simplex<3>(complex.field, face.vertices), stages))
+    if (const Simplex<3> s(complex.field, face.vertices);
+        !excludes_block_node(s, s.block_axis(), stages))
       open[index(face.tet)] |= features;
   std::vector<Task> tasks;
   for (std::size_t t = 0; t < open.size(); ++t) {

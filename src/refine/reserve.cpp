@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reserve.hpp"
 
+#include <algorithm>
+
 #include "triplex/certify/cell.hpp"
 
 namespace triplex {
@@ -11,6 +13,8 @@ namespace {
 /// numbers are long: of more tets than a few, those with such a leaf are left as they are.
 constexpr int kDeep = 40;
 constexpr std::size_t kFewTets = 4;
+/// No share is larger than so many times the limit: a tet that is beyond help takes all of it.
+constexpr std::uint32_t kMostTimes = 16;
 
 }  // namespace
 
@@ -28,7 +32,8 @@ std::unordered_set<TetId> worth_a_share(std::span<const Leaf> leaves, const Budg
 
 bool Budget::share(std::uint32_t reserve, std::unordered_set<TetId> tets) {
   if (tets.empty() || reserve / tets.size() < limit_) return false;
-  shared_limit_ = limit_ + static_cast<std::uint32_t>(reserve / tets.size());
+  const auto share = static_cast<std::uint32_t>(reserve / tets.size());
+  shared_limit_ = limit_ + std::min(share, kMostTimes * limit_);
   sharing_ = std::move(tets);
   return true;
 }

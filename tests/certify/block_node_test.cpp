@@ -56,7 +56,7 @@ TEST(BlockNode, IsNeverExcluded) {
     ++nodes;
     const Simplex<3> face(field, kFace);
     ASSERT_GE(face.block_axis(), 0);
-    EXPECT_FALSE(excludes_block_node(face, stages));
+    EXPECT_FALSE(excludes_block_node(face, face.block_axis(), stages));
   }
   EXPECT_GT(nodes, 1500);
 }
@@ -75,7 +75,8 @@ TEST(BlockNode, IsExcludedOnMostFacesWithoutOne) {
     }
     const TensorField input = oracle::on_one_tet(t);
     const RefinableField field(input);
-    excluded += excludes_block_node(Simplex<3>(field, kFace), stages);
+    const Simplex<3> face(field, kFace);
+    excluded += excludes_block_node(face, face.block_axis(), stages);
   }
   EXPECT_GT(excluded, 800);
 }

@@ -21,7 +21,7 @@ constexpr double kShift = 1.0 / 97;
 /// t^2 = z (x - 1/8 + y + z), t = y + s - (x + 3)^2 / 16, for z > 0 the graph of one positive root
 /// over the plane, which touches it along t = 0 up to the node, where x - 1/8 + y = 0, and is a
 /// nappe of a cone there; s is the shift.
-TensorField wall(int n, CellSplit split, bool transposed, double lowest = 0) {
+TensorField wall(int n, CellSplit split, bool transposed, double lowest = 0, double offset = 3) {
   GridOptions grid;
   grid.n = n;
   grid.split = split;
@@ -30,8 +30,9 @@ TensorField wall(int n, CellSplit split, bool transposed, double lowest = 0) {
   for (std::size_t v = 0; v < field.tensors.size(); ++v) {
     const auto [x, y, z] = field.mesh.points[v];
     const double below = -(x - 0.125 + y + z) / 4;
-    field.tensors[v] = transposed ? Tensor<double>{16, x + 3, 0, x + 3, y + kShift, below, 0, z, 0}
-                                  : Tensor<double>{16, x + 3, 0, x + 3, y + kShift, z, 0, below, 0};
+    field.tensors[v] =
+        transposed ? Tensor<double>{16, x + offset, 0, x + offset, y + kShift, below, 0, z, 0}
+                   : Tensor<double>{16, x + offset, 0, x + offset, y + kShift, z, 0, below, 0};
   }
   return field;
 }
@@ -69,6 +70,18 @@ TEST_P(BoundaryNode, IsNotPassedOverInsideTheDomain) {
   options.max_bisections = 128;
   for (const int n : {2, 4})
     EXPECT_FALSE(extract(wall(n, CellSplit::Six, GetParam(), -1), options).certified());
+}
+
+/// With x in place of x + 3 nothing couples x in the plane x = 0 either. Edges of even grids lie in
+/// both planes, and the curve of touching of the one crosses the other.
+TEST_P(BoundaryNode, MayLieBesideAnotherPlane) {
+  for (const int n : {2, 4, 6}) {
+    const Extraction result = extract(wall(n, CellSplit::Six, GetParam(), 0, 0));
+    EXPECT_TRUE(result.certified()) << n;
+    const FeatureMesh& page = result.mesh(Feature::DegenerateLinear);
+    EXPECT_EQ(surface_topology(page.triangles, page.points.size()).euler, 1) << n;
+    EXPECT_EQ(result.nodes.size(), 1u) << n;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(ByRowAndByColumn, BoundaryNode, testing::Bool());

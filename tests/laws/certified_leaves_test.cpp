@@ -77,10 +77,11 @@ TEST_P(CertifiedLeavesOnTies, AgreeWithExactSigns) {
     ties += audit.ties + audit.exact_points;
     claims += audit.claims;
   }
-  // Tensors of convection are block triangular throughout: nothing is claimed of T + eps B.
-  if (std::string_view(GetParam().name) == "convection") return;
-  EXPECT_GT(ties, 100u);
-  EXPECT_GT(claims, 300u);
+  // Tensors of convection are block triangular throughout, those at the wall where there are ties:
+  // nothing is claimed of T + eps B.
+  const std::string_view name = GetParam().name;
+  EXPECT_GE(claims, name == "convection" ? 0u : 300u);
+  EXPECT_GE(ties, name == "convection" || name == "free slip" ? 0u : 100u);
 }
 
 INSTANTIATE_TEST_SUITE_P(

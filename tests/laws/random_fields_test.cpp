@@ -60,9 +60,10 @@ TEST(Reserve, IsSharedByTheTetsLeftIfTheyAreFew) {
   EXPECT_EQ(budget, 8u);
   const auto n = static_cast<std::uint32_t>(count);
   EXPECT_EQ(left(8 * n - 1), std::pair(count, 8u));
-  const auto [after, shared] = left(1000 * n + n - 1);
-  EXPECT_EQ(shared, 1008u);
+  const auto [after, shared] = left(100 * n + n - 1);
+  EXPECT_EQ(shared, 108u);
   EXPECT_LT(after, count);
+  EXPECT_EQ(left(1000 * n).second, 8u + 16 * 8);
 }
 
 }  // namespace
