@@ -133,8 +133,12 @@ ExactRange widened(const Range& r) {
   return {Exact(r.lo - by), Exact(r.hi + by)};
 }
 
-bool is_on_face(const RefinableField& field, const std::array<VertexId, 4>& vertices,
-                const IsolatedNode& node, std::size_t opposite) {
+/// The node's coordinates in the tet if it lies in the plane of the face, zero at the opposite
+/// vertex.
+std::optional<std::array<ExactRange, 4>> weights_in_plane(const RefinableField& field,
+                                                          const std::array<VertexId, 4>& vertices,
+                                                          const IsolatedNode& node,
+                                                          std::size_t opposite) {
   std::array<VertexId, 3> face;
   std::array<std::size_t, 3> local;
   for (std::size_t i = 0, n = 0; i < 4; ++i)
@@ -144,29 +148,39 @@ bool is_on_face(const RefinableField& field, const std::array<VertexId, 4>& vert
     }
   const Simplex<3> simplex(field, face);
   const int axis = simplex.block_axis();
-  if (axis < 0) return false;
+  if (axis < 0) return {};
   const std::array<Range, 4> x = {node.first, node.box[0], node.box[1], node.box[2]};
   const auto found =
       FaceSystem(simplex, axis).node_in({widened(x[local[1]]), widened(x[local[2]])});
-  if (!found) return false;
-  // The node on the face is this one if it lies in the domain, which holds no other.
+  if (!found) return {};
+  // The node in the plane is this one if it lies in the domain, which holds no other.
   std::array<ExactRange, 4> weights;
   weights[local[1]] = (*found)[0];
   weights[local[2]] = (*found)[1];
   weights[local[0]] = ExactRange(1) - (*found)[0] - (*found)[1];
   for (std::size_t k = 0; k < 3; ++k)
-    if (!is_inside(weights[k + 1], to_range(node.domain[k]))) return false;
-  return is_inside((*found)[2], to_range(node.domain[3]));
+    if (!is_inside(weights[k + 1], to_range(node.domain[k]))) return {};
+  if (!is_inside((*found)[2], to_range(node.domain[3]))) return {};
+  return weights;
 }
 
 }  // namespace
 
-bool is_on_block_face(const RefinableField& field, const std::array<VertexId, 4>& vertices,
-                      const IsolatedNode& node) {
+std::optional<std::array<VertexId, 3>> block_face_of(const RefinableField& field,
+                                                     const std::array<VertexId, 4>& vertices,
+                                                     const IsolatedNode& node) {
   const std::array<Range, 4> x = {node.first, node.box[0], node.box[1], node.box[2]};
-  for (std::size_t i = 0; i < 4; ++i)
-    if (x[i].contains(0.0) && is_on_face(field, vertices, node, i)) return true;
-  return false;
+  for (std::size_t opposite = 0; opposite < 4; ++opposite) {
+    if (!x[opposite].contains(0.0)) continue;
+    const auto weights = weights_in_plane(field, vertices, node, opposite);
+    if (!weights) continue;
+    std::array<VertexId, 3> face;
+    std::size_t inside = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (i != opposite && sign((*weights)[i].lo) == Sign::Positive) face[inside++] = vertices[i];
+    if (inside == 3) return face;
+  }
+  return {};
 }
 
 }  // namespace triplex

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -45,8 +46,9 @@ using ExactPoint = std::vector<std::pair<VertexId, std::int64_t>>;
 /// A node of the linear field of a tet, in the tet or at its boundary.
 struct Candidate {
   Node node;
-  ExactPoint point;                // empty if not known
-  std::optional<VertexId> vertex;  // a rational one that is the node
+  ExactPoint point;                             // empty if not known
+  std::optional<VertexId> vertex;               // a rational one that is the node
+  std::optional<std::array<VertexId, 3>> face;  // that holds it inside, at a point not known so
 };
 
 std::vector<std::uint8_t> nodes_at_vertices(const RefinableField& field) {
@@ -195,11 +197,10 @@ std::vector<Candidate> candidates_of(const TensorField& input, const RefinableFi
       c.node.status = NodeStatus::Face;
     } else {
       c.point = exact_point(field, task, found);
-      const bool is_on_face =
-          c.point.size() > 1 || (c.point.empty() && is_on_block_face(field, task.vertices, found));
-      c.node.status = is_on_face            ? NodeStatus::Face
-                      : c.point.size() == 1 ? NodeStatus::Vertex
-                                            : NodeStatus::Shared;
+      if (c.point.empty()) c.face = block_face_of(field, task.vertices, found);
+      c.node.status = c.point.size() > 1 || c.face ? NodeStatus::Face
+                      : c.point.size() == 1        ? NodeStatus::Vertex
+                                                   : NodeStatus::Shared;
     }
     if (c.vertex) {
       place(field, *c.vertex, c.node);
@@ -216,12 +217,13 @@ std::vector<Candidate> candidates_of(const TensorField& input, const RefinableFi
 bool meet(const Node& a, const Node& b) {
   for (std::size_t k = 0; k < 3; ++k)
     if (!a.enclosure[k].meets(b.enclosure[k])) return false;
-  return a.feature == b.feature;
+  // Those that one tet proves are different ones.
+  return a.feature == b.feature && !(a.status == NodeStatus::Face && a.tet == b.tet);
 }
 void join(Range& a, const Range& b) { a = {std::min(a.lo, b.lo), std::max(a.hi, b.hi)}; }
 
 /// Enclosures that overlap, from several tets around a face: one node with their hull.
-std::vector<Node> merge_shared(std::vector<Node> shared) {
+std::vector<Node> merge_overlapping(std::vector<Node> shared) {
   std::ranges::sort(shared, {}, [](const Node& n) { return n.enclosure[0].lo; });
   std::vector<Node> merged;
   for (const Node& node : shared) {
@@ -249,19 +251,24 @@ std::vector<Node> merge(const std::vector<std::vector<Candidate>>& candidates) {
   std::vector<Node> nodes, shared;
   std::map<ExactPoint, Node> exact;
   std::map<VertexId, Node> rational;
+  std::map<std::array<VertexId, 3>, std::vector<Node>> in_faces;
   for (const auto& of_tet : candidates)
     for (const Candidate& c : of_tet) {
       if (c.vertex) {
         rational.emplace(*c.vertex, c.node);  // the first tet's stays
       } else if (!c.point.empty()) {
         exact.emplace(c.point, c.node);  // the first tet's stays
+      } else if (c.face) {
+        in_faces[*c.face].push_back(c.node);
       } else {
         (c.node.status == NodeStatus::Proven ? nodes : shared).push_back(c.node);
       }
     }
   for (const auto& [point, node] : exact) nodes.push_back(node);
   for (const auto& [vertex, node] : rational) nodes.push_back(node);
-  for (const Node& node : merge_shared(std::move(shared))) nodes.push_back(node);
+  for (const auto& [face, found] : in_faces)
+    std::ranges::move(merge_overlapping(found), std::back_inserter(nodes));
+  std::ranges::move(merge_overlapping(std::move(shared)), std::back_inserter(nodes));
   for (Node& node : nodes) set_middle(node);
   std::ranges::sort(nodes, {}, [](const Node& n) { return std::pair(n.position, n.eigenvalue); });
   return nodes;

@@ -8,10 +8,10 @@
 
 namespace triplex {
 
-/// On an edge or a face where the tensors are block triangular along an axis: none of the points where the number
-/// e of the block form is an eigenvalue of the block M, at which D only touches zero, is an
-/// isolated node. (On a mirror plane they all are nodes, and form curves: these are passed over.)
-/// N = 2, 3 vertices. Source: proofs/block_plane.md.
+/// On an edge or a face where the tensors are block triangular along an axis: none of the points
+/// where the number e of the block form is an eigenvalue of the block M, at which D only touches
+/// zero, is an isolated node. (On a mirror plane they all are nodes, and form curves: these are
+/// passed over.) N = 2, 3 vertices. Source: proofs/block_plane.md.
 template <int N>
 bool excludes_block_node(const Simplex<N>& simplex, int axis, SignStages& stages);
 

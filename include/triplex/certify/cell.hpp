@@ -54,8 +54,8 @@ using SectorTable = std::span<const std::uint8_t>;
 /// Certifies the requested pages and the curve on one tet with its faces and edges.
 /// Guarantee: if `complete`, then in this tet each requested page is what vertex labels and edge
 /// rotations say: per page nothing, one disc, or one half of a disc cut by the single arc of the
-/// triple degenerate curve. If `stacks` is given, a degenerate page may also be several discs, as the
-/// arcs on the faces say, and the edges that it crosses twice are appended there. Source:
+/// triple degenerate curve. If `stacks` is given, a degenerate page may also be several discs, as
+/// the arcs on the faces say, and the edges that it crosses twice are appended there. Source:
 /// proofs/cell.md, proofs/stacked_sheets.md.
 /// \pre vertices ascending; `requested` holds no level sets.
 CellCertificate certify_cell(const RefinableField& field, const std::array<VertexId, 4>& vertices,

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -70,11 +71,13 @@ std::array<std::int64_t, 4> exact_weights(const RefinableField& field,
 bool is_at(const RefinableField& field, const std::array<VertexId, 4>& vertices,
            const IsolatedNode& node, VertexId v);
 
-/// Whether a node of a tet lies on one of its faces, on which the tensors are block triangular
-/// along an axis: there its place solves two equations in two unknowns. Guarantee: exact; a node
-/// may lie on a face without being proven to. Source: proofs/block_plane.md.
-bool is_on_block_face(const RefinableField& field, const std::array<VertexId, 4>& vertices,
-                      const IsolatedNode& node);
+/// The face of a tet in the inside of which a node lies, if the tensors on it are block triangular
+/// along an axis: there its place solves two equations in two unknowns. Its vertices are in the
+/// order of the tet's. Guarantee: exact; a node may lie on such a face without being proven to.
+/// Source: proofs/block_plane.md.
+std::optional<std::array<VertexId, 3>> block_face_of(const RefinableField& field,
+                                                     const std::array<VertexId, 4>& vertices,
+                                                     const IsolatedNode& node);
 
 /// The barycentric coordinates of a node in its tet, enclosed far beyond doubles where its system
 /// is regular. Guarantee: they hold those of the node in `node.box`. Source: proofs/node.md.

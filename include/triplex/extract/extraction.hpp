@@ -61,7 +61,7 @@ struct ExtractionTiming {
 };
 
 /// The bisections that one tet may ask for, and those that the tets left share when these are at
-/// most 16. Source: docs/decisions/0014-budget-of-1024.md, 0020-few-tets-share-a-reserve.md.
+/// most 64. Source: docs/decisions/0014-budget-of-1024.md, 0020-few-tets-share-a-reserve.md.
 inline constexpr std::uint32_t kDefaultBudget = 1024, kDefaultReserve = 64 * kDefaultBudget;
 
 /// The tets that the refined mesh of so many tets may have: 10 million for 1.5 million, 4.5 GB at
