@@ -3,7 +3,6 @@
 #pragma once
 
 #include <utility>
-#include <vector>
 
 #include "triplex/certify/simplex.hpp"
 
@@ -22,18 +21,6 @@ struct BlockEntries {
     row = {3 * k + i, 3 * k + j};
   }
 };
-
-/// The axes along which the tensors of all vertices of a simplex are block triangular, one after
-/// the other: `Simplex::block_axis` is the first.
-template <int N>
-std::vector<int> block_axes(const Simplex<N>& simplex) {
-  unsigned zero = 0b111111;
-  for (const VertexId v : simplex.vertices()) zero &= simplex.field().zero_couplings(v);
-  std::vector<int> axes;
-  for (int k = 0; k < 3; ++k)
-    if ((zero >> k & 1u) || (zero >> (3 + k) & 1u)) axes.push_back(k);
-  return axes;
-}
 
 /// Error of the polarised coefficient, in doubles, of a quadratic form of the entries of two
 /// tensors whose terms are at most `terms` products of two entries, no term under more than 5

@@ -158,8 +158,7 @@ template std::vector<ExactWeights<3>> rational_block_nodes<3>(const Simplex<3>&)
 template <int N>
 bool excludes_block_node(const Simplex<N>& simplex, int axis, SignStages& stages) {
   const RefinableField& field = simplex.field();
-  unsigned zero = 0b111111;
-  for (const VertexId v : simplex.vertices()) zero &= field.zero_couplings(v);
+  const unsigned zero = simplex.zero_couplings();
   const bool column = zero >> axis & 1u, row = zero >> (3 + axis) & 1u;
   if (column && row && field.is_in_mirror_plane(simplex.vertices(), axis)) return true;
   const auto [a, bounds] = approximate_tensors(simplex);

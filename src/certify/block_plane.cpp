@@ -97,10 +97,13 @@ template <int N>
 bool certifies_block(const Simplex<N>& simplex, SignStages& stages) {
   if (!touches_in_isolated_points(simplex)) return false;
   const bool touches_only = simplex.field().is_inside_boundary_block_face(simplex.vertices());
-  return std::ranges::any_of(block_axes(simplex), [&](int axis) {
-    return (touches_only || excludes_block_node(simplex, axis, stages)) &&
-           one_root_of_block(simplex, BlockEntries(axis), stages);
-  });
+  const unsigned zero = simplex.zero_couplings();
+  for (int axis = 0; axis < 3; ++axis)
+    if (((zero | zero >> 3) >> axis & 1u) != 0 &&
+        (touches_only || excludes_block_node(simplex, axis, stages)) &&
+        one_root_of_block(simplex, BlockEntries(axis), stages))
+      return true;
+  return false;
 }
 
 namespace {

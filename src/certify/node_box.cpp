@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "krawczyk.hpp"
 #include "node_system.hpp"
 #include "triplex/arithmetic/interval.hpp"
 #include "triplex/certify/enclosure.hpp"
@@ -45,25 +46,14 @@ class Krawczyk {
             Interval(inverse(i, j));
   }
 
-  /// K(Z) = m - C f(m) + (I - C J(Z)) (Z - m), m in Z; nothing if the pivot or l may vanish on Z.
+  /// K(Z); nothing if the pivot or l may vanish on Z.
   std::optional<Box> operator()(const Box& z) const {
     const Tensor<Interval> b = pencil_.at(z);
     if (!certainly_zero_free(b[minors_.pivot]) || !certainly_zero_free(z[3])) return {};
     const Matrix<Interval> jacobian = minors_.jacobian(b, pencil_);
     Box m;
     for (std::size_t k = 0; k < 4; ++k) m[k] = Interval(z[k].inf() + (z[k].sup() - z[k].inf()) / 2);
-    const Vector<Interval> f = minors_.values(pencil_.at(m));
-    Box image;
-    for (std::size_t i = 0; i < 4; ++i) {
-      image[i] = m[i];
-      for (std::size_t j = 0; j < 4; ++j) {
-        image[i] = image[i] - inverse_[i][j] * f[j];
-        Interval r(i == j ? 1.0 : 0.0);
-        for (std::size_t k = 0; k < 4; ++k) r = r - inverse_[i][k] * jacobian[k][j];
-        image[i] = image[i] + r * (z[j] - m[j]);
-      }
-    }
-    return image;
+    return krawczyk(m, minors_.values(pencil_.at(m)), jacobian, inverse_, z);
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "krawczyk.hpp"
 #include "node_system.hpp"
 #include "triplex/certify/node.hpp"
 #include "triplex/certify/simplex.hpp"
@@ -26,8 +27,7 @@ double width_approx(const Box& z) {
 /// Ends are rounded outwards to `kRangeBits` bits after the point.
 ExactRange rounded(const ExactRange& x) { return x / ExactRange(1); }
 
-/// Krawczyk's operator K(Z) = m - C f(m) + (I - C J(Z)) (Z - m) for one approximate inverse C of
-/// the Jacobian. What it returns holds every zero of f in Z, whatever C is.
+/// Krawczyk's operator for one approximate inverse of the Jacobian.
 class Contraction {
  public:
   Contraction(const Pencil<ExactRange>& pencil, const Box& z)
@@ -51,18 +51,8 @@ class Contraction {
     Box m;
     const Exact half(0.5);
     for (std::size_t k = 0; k < 4; ++k) m[k] = (z[k].lo + z[k].hi) * half;
-    const Vector<ExactRange> f = minors_.values(pencil_.at(m));
-    Box image;
-    for (std::size_t i = 0; i < 4; ++i) {
-      ExactRange x = m[i];
-      for (std::size_t j = 0; j < 4; ++j) {
-        x = x - inverse_[i][j] * f[j];
-        ExactRange r(i == j ? 1 : 0);
-        for (std::size_t k = 0; k < 4; ++k) r = r - inverse_[i][k] * jacobian[k][j];
-        x = x + r * (z[j] - m[j]);
-      }
-      image[i] = rounded(x);
-    }
+    Box image = krawczyk(m, minors_.values(pencil_.at(m)), jacobian, inverse_, z);
+    for (ExactRange& x : image) x = rounded(x);
     return image;
   }
 

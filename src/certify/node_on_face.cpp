@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "block_entries.hpp"
+#include "krawczyk.hpp"
 #include "triplex/certify/node.hpp"
 
 namespace triplex {
@@ -13,7 +14,7 @@ namespace {
 
 using Pair = std::array<ExactRange, 2>;
 using Rows = std::array<Pair, 3>;
-using Inverse = std::array<std::array<double, 2>, 2>;
+using Matrix = std::array<Pair, 2>;
 
 ExactRange cross(const Pair& a, const Pair& b) { return a[0] * b[1] - a[1] * b[0]; }
 ExactRange middle(const ExactRange& x) { return (x.lo + x.hi) * Exact(0.5); }
@@ -32,9 +33,7 @@ class FaceSystem {
  public:
   FaceSystem(const Simplex<3>& face, int axis) : entries_(axis) {
     const auto exact = face.exact_tensors();
-    unsigned zero = 0b111111;
-    for (const VertexId v : face.vertices()) zero &= face.field().zero_couplings(v);
-    by_row_ = (zero >> axis & 1u) != 0;
+    by_row_ = (face.zero_couplings() >> axis & 1u) != 0;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 9; ++k)
         parts_[i][k] = i == 0 ? exact[0][k] : exact[i][k] - exact[0][k];
@@ -53,22 +52,10 @@ class FaceSystem {
           return sign(x.lo) == Sign::Positive || sign(x.hi) == Sign::Negative;
         }))
       return {};
-    const auto j = jacobian(box);
-    const Pair f = values(rows_at(m));
-    std::array<ExactRange, 3> image;
-    for (std::size_t i = 0; i < 2; ++i) {
-      image[i] = m[i];
-      for (std::size_t n = 0; n < 2; ++n) {
-        const Exact c((*inverse)[i][0]), d((*inverse)[i][1]);
-        image[i] = image[i] - ExactRange((*inverse)[i][n]) * f[n];
-        const ExactRange r =
-            ExactRange(i == n ? 1 : 0) - ExactRange(c) * j[0][n] - ExactRange(d) * j[1][n];
-        image[i] = image[i] + r * (box[n] - m[n]);
-      }
-      if (!is_inside(image[i], box[i])) return {};
-    }
-    image[2] = entry(entries_.kk, {image[0], image[1]});
-    return image;
+    const Pair place = krawczyk(m, values(rows_at(m)), jacobian(box), *inverse, box);
+    for (std::size_t i = 0; i < 2; ++i)
+      if (!is_inside(place[i], box[i])) return {};
+    return std::array{place[0], place[1], entry(entries_.kk, place)};
   }
 
  private:
@@ -93,9 +80,9 @@ class FaceSystem {
   Pair values(const Rows& r) const {
     return {cross(r[pivot_], r[(pivot_ + 1) % 3]), cross(r[pivot_], r[(pivot_ + 2) % 3])};
   }
-  std::array<Pair, 2> jacobian(const Pair& x) const {
+  Matrix jacobian(const Pair& x) const {
     const Rows r = rows_at(x);
-    std::array<Pair, 2> j;
+    Matrix j;
     for (std::size_t n = 0; n < 2; ++n) {
       const Rows d = derivative(n);
       for (std::size_t i = 0; i < 2; ++i) {
@@ -111,14 +98,12 @@ class FaceSystem {
       size[i] = std::max(std::fabs(middle_approx(r[i][0])), std::fabs(middle_approx(r[i][1])));
     return static_cast<std::size_t>(std::ranges::max_element(size) - size.begin());
   }
-  static std::optional<Inverse> inverse_approx(const std::array<Pair, 2>& j) {
+  static std::optional<Matrix> inverse_approx(const Matrix& j) {
     const double a = middle_approx(j[0][0]), b = middle_approx(j[0][1]), c = middle_approx(j[1][0]),
                  d = middle_approx(j[1][1]), det = a * d - b * c;
-    const Inverse inverse = {{{d / det, -b / det}, {-c / det, a / det}}};
-    for (const auto& row : inverse)
-      for (const double x : row)
-        if (!std::isfinite(x)) return {};
-    return inverse;
+    for (const double x : {d / det, b / det, c / det, a / det})
+      if (!std::isfinite(x)) return {};
+    return Matrix{{{d / det, -b / det}, {-c / det, a / det}}};
   }
 
   BlockEntries entries_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "krawczyk.hpp"
 #include "triplex/certify/spine.hpp"
 
 namespace triplex {
@@ -146,22 +147,18 @@ struct Centre {
   Jacobian<double> inverse;
 };
 
-/// K(Z) = m - C f(m) + (I - C J(Z)) (Z - m), for m in Z. \pre inside an `IntervalRounding`.
-Pair<Interval> krawczyk(const Forms<Interval, 3>& f, const Centre& c, const Pair<Interval>& z) {
+/// Krawczyk's operator, for m in Z. \pre inside an `IntervalRounding`.
+Pair<Interval> image_of(const Forms<Interval, 3>& f, const Centre& c, const Pair<Interval>& z) {
   const Jacobian<Interval> j =
       Gradients<Interval>(f, {Interval(1.0) - z[0] - z[1], z[0], z[1]}).jacobian();
-  Pair<Interval> image;
+  Pair<Interval> m, residual;
+  Jacobian<Interval> inverse;
   for (std::size_t i = 0; i < 2; ++i) {
-    image[i] = Interval(c.m[i]);
-    for (std::size_t k = 0; k < 2; ++k) {
-      const Interval c0(c.inverse[i][0]), c1(c.inverse[i][1]);
-      const Interval r = Interval(i == k ? 1.0 : 0.0) - (c0 * j[0][k] + c1 * j[1][k]);
-      image[i] = image[i] -
-                 Interval(c.inverse[i][k]) * Interval(c.residual[k].lo, c.residual[k].hi) +
-                 r * (z[k] - Interval(c.m[k]));
-    }
+    m[i] = Interval(c.m[i]);
+    residual[i] = Interval(c.residual[i].lo, c.residual[i].hi);
+    for (std::size_t k = 0; k < 2; ++k) inverse[i][k] = Interval(c.inverse[i][k]);
   }
-  return image;
+  return krawczyk(m, residual, j, inverse, z);
 }
 
 bool inside(const Pair<Interval>& inner, const Pair<Interval>& outer) {
@@ -180,14 +177,14 @@ bool inside(const Pair<Interval>& inner, const Pair<Interval>& outer) {
     const double radius = std::ldexp(1.0, -k);
     Pair<Interval> z;
     for (std::size_t i = 0; i < 2; ++i) z[i] = Interval(centre.m[i]) + Interval(-radius, radius);
-    Pair<Interval> box = krawczyk(f, centre, z);
+    Pair<Interval> box = image_of(f, centre, z);
     if (!inside(box, z)) continue;
     // The zero is in `box`, and the mean value form holds on any box with m and the zero.
     for (std::size_t i = 0; i < 2; ++i) {
       const double m = centre.m[i];
       z[i] = Interval(std::min(m, box[i].inf()), std::max(m, box[i].sup()));
     }
-    const Pair<Interval> again = krawczyk(f, centre, z);
+    const Pair<Interval> again = image_of(f, centre, z);
     for (std::size_t i = 0; i < 2; ++i)
       box[i] =
           Interval(std::max(box[i].inf(), again[i].inf()), std::min(box[i].sup(), again[i].sup()));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is exactly zero in the tensors of a field: couplings, and planes of symmetry.
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 
@@ -57,7 +58,7 @@ void RefinableField::find_block_faces() {
     std::ranges::sort(edges);
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   }
-  std::ranges::sort(faces);
+  tbb::parallel_sort(faces.begin(), faces.end());
   for (std::size_t n = 0; n < faces.size(); ++n)
     if (n + 1 < faces.size() && faces[n + 1].vertices == faces[n].vertices)
       ++n;  // of two tets

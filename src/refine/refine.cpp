@@ -51,8 +51,9 @@ class Refinement {
         wish_budget_(input.mesh.tets.size(), options.max_bisections) {
     if (level_sets_ != 0) complex_.field.keep_tensors();
     if (!any(options.periodic)) return;
-    complex_.field.identify_boundary();
     complex_.copies = PeriodicCopies(input, complex_.field, options.periodic);
+    complex_.field.identify_boundary_faces(
+        [&](const auto& face) { return complex_.copies.copies(face).size() > 1; });
   }
 
   RefinedComplex run() {

@@ -9,6 +9,8 @@
 namespace triplex {
 namespace {
 
+// Choices by trial, docs/decisions/0020-few-tets-share-a-reserve.md.
+
 /// Leaves made by more bisections shrink towards a point that no halving reaches, where exact
 /// numbers are long: of more tets than a few, those with such a leaf are left as they are.
 constexpr int kDeep = 40;

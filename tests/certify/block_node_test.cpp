@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "../oracle/one_tet.hpp"
 #include "../oracle/random_tensors.hpp"
 #include "triplex/certify/node.hpp"
@@ -59,6 +61,57 @@ TEST(BlockNode, IsNeverExcluded) {
     EXPECT_FALSE(excludes_block_node(face, face.block_axis(), stages));
   }
   EXPECT_GT(nodes, 1500);
+}
+
+/// What is known of a node before it is looked for on faces: near the given place, and near the
+/// face of the first three vertices. `eigenvalue` is that of the scaled, tripled deviator.
+IsolatedNode near_the_face(const std::array<double, 3>& weights, double eigenvalue) {
+  const auto around = [](double x, double by) { return Range{x - by, x + by}; };
+  IsolatedNode node;
+  node.first = around(weights[0], 0x1p-40);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double x = k < 2 ? weights[k + 1] : 0;
+    node.box[k] = around(x, 0x1p-40);
+    node.domain[k] = around(x, 0x1p-10);
+  }
+  node.box[3] = around(eigenvalue, 0x1p-40);
+  node.domain[3] = around(eigenvalue, 0x1p-10);
+  return node;
+}
+
+/// In the face, and in its plane beyond one of its edges, which is no place in the tet.
+TEST(BlockNode, IsProvenToLieInsideTheFaceOnly) {
+  oracle::Random random(14);
+  int inside = 0, nodes = 0;
+  for (int n = 0; n < 400; ++n) {
+    const bool column = n % 2 == 0, beyond = n % 4 < 2;
+    TensorField input = with_node_in_face(random, column);
+    // The middle tensor weighs as before, now with a third corner that has the weight -1/5.
+    if (beyond)
+      for (std::size_t k = 0; k < 9; ++k) {
+        const double sum = input.tensors[0][k] + input.tensors[1][k] + input.tensors[2][k];
+        input.tensors[2][k] = 3 * input.tensors[0][k] + 3 * input.tensors[1][k] - 5 * (sum / 3);
+      }
+    const RefinableField field(input);
+    const std::array<double, 3> weights =
+        beyond ? std::array{0.6, 0.6, -0.2} : std::array{1 / 3.0, 1 / 3.0, 1 / 3.0};
+    Tensor<double> there{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 9; ++k) there[k] += weights[i] * input.tensors[i][k];
+    const double eigenvalue =
+        std::ldexp(2 * there[8] - there[0] - there[4], field.scale_exponent());
+    if (std::fabs(eigenvalue) < 0x1p-8) continue;
+    ++nodes;
+    const auto face = block_face_of(field, {kFace[0], kFace[1], kFace[2], VertexId(3)},
+                                    near_the_face(weights, eigenvalue));
+    if (beyond) {
+      EXPECT_FALSE(face.has_value());
+    } else if (face) {
+      EXPECT_EQ(*face, kFace);
+      ++inside;
+    }
+  }
+  EXPECT_GT(inside, nodes / 4);
 }
 
 TEST(BlockNode, IsExcludedOnMostFacesWithoutOne) {

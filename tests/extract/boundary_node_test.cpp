@@ -84,10 +84,21 @@ TEST_P(BoundaryNode, MayLieBesideAnotherPlane) {
   }
 }
 
+/// With the upper side identified with the wall the surface passes through.
+TEST_P(BoundaryNode, IsNotPassedOverInAPeriodicDomain) {
+  constexpr int n = 3;
+  TensorField field = wall(n, CellSplit::Six, GetParam());
+  make_periodic(field, n, {false, false, true});
+  ExtractionOptions options;
+  options.max_bisections = 128;
+  EXPECT_TRUE(extract(field, options).certified());
+  options.periodic = {false, false, true};
+  EXPECT_FALSE(extract(field, options).certified());
+}
+
 INSTANTIATE_TEST_SUITE_P(ByRowAndByColumn, BoundaryNode, testing::Bool());
 
-/// With opposite sides identified there is no wall.
-TEST(BoundaryFaces, AreNoneInAPeriodicDomain) {
+TEST(BoundaryFaces, AreThoseOfTheWallsThatAreNotIdentified) {
   const TensorField field = wall(2, CellSplit::Six, false);
   RefinableField refinable(field);
   const auto& faces = refinable.boundary_block_faces();
@@ -96,8 +107,10 @@ TEST(BoundaryFaces, AreNoneInAPeriodicDomain) {
     for (const VertexId v : face.vertices) EXPECT_EQ(refinable.position(v)[2], 0);
   EXPECT_TRUE(refinable.is_inside_boundary_block_face(faces.front().vertices));
   EXPECT_FALSE(refinable.is_inside_boundary_block_face(std::span(faces.front().vertices).first(2)));
-  refinable.identify_boundary();
-  EXPECT_TRUE(refinable.boundary_block_faces().empty());
+  const auto first = faces.front().vertices;
+  refinable.identify_boundary_faces([&](const auto& face) { return face == first; });
+  EXPECT_EQ(faces.size(), 7u);
+  EXPECT_FALSE(refinable.is_inside_boundary_block_face(first));
 }
 
 }  // namespace

@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <vector>
+#include "one_leaf.hpp"
 
 namespace triplex {
 namespace {
@@ -15,24 +14,12 @@ Tensor<double> with_invariants(double x, double d) { return {0, x, 0, 1, 0, d, 1
 
 /// A tet on whose first three corners the determinant vanishes, and tr(A^2) has both signs.
 TensorField beside_a_neutral_plane(double det_at_fourth) {
-  TensorField field;
-  field.mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  field.mesh.tets = {{VertexId(0), VertexId(1), VertexId(2), VertexId(3)}};
-  field.tensors = {with_invariants(-1, 0), with_invariants(1, 0), with_invariants(0.75, 0),
-                   with_invariants(1, det_at_fourth)};
-  return field;
+  return test::on_corners({with_invariants(-1, 0), with_invariants(1, 0), with_invariants(0.75, 0),
+                           with_invariants(1, det_at_fourth)});
 }
 
-/// The points of the input that the edge ends at, ascending.
 std::vector<std::size_t> edge_in(const TensorField& input) {
-  const RefinableField field(input);
-  const Leaf leaf{.vertices = field.input_tets().front(), .input = TetId(0)};
-  const auto edge = edge_across_cusp(field, leaf);
-  std::vector<std::size_t> points;
-  const auto vertex_of = field.vertices_of_input();
-  for (std::size_t p = 0; edge && p < vertex_of.size(); ++p)
-    if (std::ranges::count(*edge, vertex_of[p]) != 0) points.push_back(p);
-  return points;
+  return test::edge_of_only_leaf(input, edge_across_cusp);
 }
 
 TEST(EdgeAcrossCusp, HalvesPAndKeepsQ) {

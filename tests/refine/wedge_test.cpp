@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <vector>
+#include "one_leaf.hpp"
 
 namespace triplex {
 namespace {
@@ -14,26 +13,15 @@ namespace {
 /// to the third, det(M - e) falls from 1 through 0 and rises to 2.25. At the fourth the couplings
 /// are of size `coupling` and the sheet opens to 2 sqrt(2) times that.
 TensorField touching(double coupling, double row_of_second = 0) {
-  TensorField field;
-  field.mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  field.mesh.tets = {{VertexId(0), VertexId(1), VertexId(2), VertexId(3)}};
   const auto diagonal = [](double x) { return Tensor<double>{x, 0, 0, 0, x, 0, 0, 0, 0}; };
-  field.tensors = {diagonal(1), diagonal(-1), diagonal(1.5), diagonal(1)};
+  TensorField field = test::on_corners({diagonal(1), diagonal(-1), diagonal(1.5), diagonal(1)});
   field.tensors[1][6] = row_of_second;
   field.tensors[3][2] = field.tensors[3][6] = coupling;
   return field;
 }
 
-/// The points of the input that the edge ends at, ascending.
 std::vector<std::size_t> edge_in(const TensorField& input) {
-  const RefinableField field(input);
-  Leaf leaf{.vertices = field.input_tets().front(), .input = TetId(0)};
-  const auto edge = edge_across_wedge(field, leaf);
-  std::vector<std::size_t> points;
-  const auto vertex_of = field.vertices_of_input();
-  for (std::size_t p = 0; edge && p < vertex_of.size(); ++p)
-    if (std::ranges::count(*edge, vertex_of[p]) != 0) points.push_back(p);
-  return points;
+  return test::edge_of_only_leaf(input, edge_across_wedge);
 }
 
 TEST(EdgeAcrossWedge, IsTheOneThatDepartsFromTheCurve) {

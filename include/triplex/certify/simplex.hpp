@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -136,14 +137,17 @@ class Simplex {
     return std::ranges::any_of(vertices_, [&](VertexId v) { return field_->is_enclosed(v); });
   }
 
-  /// The coordinate axis along which the tensors of all vertices are block triangular, all in
-  /// column or all in row; -1 if there is none.
-  int block_axis() const {
+  /// The bits of `RefinableField::zero_couplings` that all vertices share.
+  unsigned zero_couplings() const {
     unsigned zero = 0b111111;
     for (int i = 0; i < N && zero != 0; ++i) zero &= field_->zero_couplings(vertices_[i]);
-    for (int k = 0; k < 3; ++k)
-      if ((zero >> k & 1u) || (zero >> (3 + k) & 1u)) return k;
-    return -1;
+    return zero;
+  }
+  /// The first coordinate axis along which the tensors of all vertices are block triangular, all in
+  /// column or all in row; -1 if there is none.
+  int block_axis() const {
+    const unsigned zero = zero_couplings();
+    return zero == 0 ? -1 : std::countr_zero(zero | zero >> 3);
   }
 
   /// Decides a test for the perturbed field T + eps B, rung by rung.

@@ -144,8 +144,12 @@ class RefinableField {
   const std::vector<BoundaryFace>& boundary_block_faces() const { return boundary_block_faces_; }
   /// Whether a simplex lies in such a face, and not in one of its edges.
   bool is_inside_boundary_block_face(std::span<const VertexId> simplex) const;
-  /// Faces on the boundary are identified with others: none of them counts as such.
-  void identify_boundary() { boundary_block_faces_.clear(); }
+  /// Of these, the ones that `is_identified` names are identified with others and no longer count.
+  template <class Predicate>
+  void identify_boundary_faces(const Predicate& is_identified) {
+    std::erase_if(boundary_block_faces_,
+                  [&](const BoundaryFace& face) { return is_identified(face.vertices); });
+  }
   /// The weight of a vertex of the input in a vertex that is not enclosed, up to kWeightError of
   /// itself; exactly if the vertex is neither rational nor made by more than 53 halvings.
   double weight(VertexId v, VertexId corner) const;
