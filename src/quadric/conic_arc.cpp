@@ -11,9 +11,27 @@
 namespace triplex::detail {
 namespace {
 
+/// How far the arc leaves its chord, in lengths of the chord, to first order at the middle m: there
+/// F = B(a,b) / 2. Negative if it cannot be told.
+double sagitta(const QuadraticForm<double, 3>& f, const FacePoint& a, const FacePoint& b) {
+  double mean = 0, square = 0, chord = 0;
+  FacePoint g{};  // the gradient F(m, .) / 2
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) g[i] += f(i, j) * (a[j] + b[j]) / 2;
+    mean += g[i] / 3;
+    chord += (b[i] - a[i]) * (b[i] - a[i]);
+  }
+  for (const double gi : g) square += (gi - mean) * (gi - mean);
+  return square > 0 ? std::fabs(bilinear(f, a, b)) / 4 / std::sqrt(square * chord) : -1;
+}
+
 /// w times the pole of the chord, so that (1-t)^2 a + 2 t (1-t) w c + t^2 b is on the conic: with
-/// c = adj(F) (a x b), F(c) = -det(F) B(a,b)^2, so w^2 = 1 / (2 det(F) B(a,b)). Zero on a line.
+/// c = adj(F) (a x b), F(c) = -det(F) B(a,b)^2, so w^2 = 1 / (2 det(F) B(a,b)). Zero where the arc
+/// is as straight as its chord but for rounding: both factors are noise there.
 FacePoint control_point(const QuadraticForm<double, 3>& f, const FacePoint& a, const FacePoint& b) {
+  constexpr double kStraight = 0x1p-20;  // ends are known to 2^-30 at worst
+  const double bend = sagitta(f, a, b);
+  if (bend >= 0 && bend < kStraight) return {0, 0, 0};
   const auto adj = adjugate(f);
   const double d = 2 * determinant(f, adj) * bilinear(f, a, b);
   if (!(d > 0)) return {0, 0, 0};
