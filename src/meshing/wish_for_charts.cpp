@@ -11,22 +11,6 @@
 namespace triplex {
 namespace {
 
-/// Of the longest edge, one that is as good as none: along it, what charts ask of the surface is
-/// less than the errors of doubles, and cells would be halved in vain. A choice: below it their
-/// vertices are the same in single precision.
-constexpr double kShortest = 0x1p-24;
-
-bool has_short_edge(const CellMap& cell) {
-  double shortest = 1e300, longest = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = i + 1; j < 4; ++j) {
-      const double square = (cell.corner(i) - cell.corner(j)).squaredNorm();
-      shortest = std::min(shortest, square);
-      longest = std::max(longest, square);
-    }
-  return shortest < kShortest * kShortest * longest;
-}
-
 std::array<VertexId, 2> longest_edge(const CellMap& cell) {
   std::array<std::size_t, 2> longest{0, 1};
   double length = -1;
@@ -72,7 +56,7 @@ LeafWish wish_for_charts(const TensorField& input, const FeatureTable& table, To
       const SurfaceFunction f(table, feature, field.scale_exponent());
       std::optional<CellMap>& cell = cells[f.takes_trace() ? 1 : 0];
       if (!cell) cell.emplace(field, leaf.vertices, f.takes_trace());
-      if (cell->size() <= allowed || has_short_edge(*cell)) return std::nullopt;
+      if (cell->size() <= allowed) return std::nullopt;
       if (lacks_chart(*cell, f)) return longest_edge(*cell);
     }
     if (contains(leaf.graph, Feature::TripleCurve) || leaf.has_spine_proof)
