@@ -11,27 +11,33 @@
 namespace triplex::detail {
 namespace {
 
-/// How far the arc leaves its chord, in lengths of the chord, to first order at the middle m: there
-/// F = B(a,b) / 2. Negative if it cannot be told.
-double sagitta(const QuadraticForm<double, 3>& f, const FacePoint& a, const FacePoint& b) {
-  double mean = 0, square = 0, chord = 0;
-  FacePoint g{};  // the gradient F(m, .) / 2
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) g[i] += f(i, j) * (a[j] + b[j]) / 2;
-    mean += g[i] / 3;
-    chord += (b[i] - a[i]) * (b[i] - a[i]);
-  }
-  for (const double gi : g) square += (gi - mean) * (gi - mean);
-  return square > 0 ? std::fabs(bilinear(f, a, b)) / 4 / std::sqrt(square * chord) : -1;
+/// The gradient of F / 2, as far as it is a displacement in the face.
+FacePoint half_gradient(const QuadraticForm<double, 3>& f, const FacePoint& x) {
+  FacePoint g{};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) g[i] += f(i, j) * x[j];
+  const double mean = (g[0] + g[1] + g[2]) / 3;
+  for (double& gi : g) gi -= mean;
+  return g;
+}
+
+double squared_length(const FacePoint& x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }
+
+/// Whether the arc leaves its chord by next to nothing: at the middle m, where F = B(a,b) / 2, by
+/// |B(a,b)| / (4 |g|) to first order, g half the gradient there.
+bool is_straight(const QuadraticForm<double, 3>& f, const FacePoint& a, const FacePoint& b) {
+  constexpr double kStraight = 0x1p-20;  // of the chord; the ends are known to 2^-30 at worst
+  const FacePoint m = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
+  const FacePoint chord = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  const double reach = squared_length(half_gradient(f, m)) * squared_length(chord);
+  return std::fabs(bilinear(f, a, b)) < 4 * kStraight * std::sqrt(reach);
 }
 
 /// w times the pole of the chord, so that (1-t)^2 a + 2 t (1-t) w c + t^2 b is on the conic: with
 /// c = adj(F) (a x b), F(c) = -det(F) B(a,b)^2, so w^2 = 1 / (2 det(F) B(a,b)). Zero where the arc
 /// is as straight as its chord but for rounding: both factors are noise there.
 FacePoint control_point(const QuadraticForm<double, 3>& f, const FacePoint& a, const FacePoint& b) {
-  constexpr double kStraight = 0x1p-20;  // ends are known to 2^-30 at worst
-  const double bend = sagitta(f, a, b);
-  if (bend >= 0 && bend < kStraight) return {0, 0, 0};
+  if (is_straight(f, a, b)) return {0, 0, 0};
   const auto adj = adjugate(f);
   const double d = 2 * determinant(f, adj) * bilinear(f, a, b);
   if (!(d > 0)) return {0, 0, 0};
@@ -55,17 +61,10 @@ FacePoint control_point(const QuadraticForm<double, 3>& f, const FacePoint& a, c
 
 /// One step towards the conic along its gradient in the face.
 void polish(const QuadraticForm<double, 3>& f, FacePoint& x) {
-  FacePoint g{};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) g[i] += f(i, j) * x[j];
-  const double value = g[0] * x[0] + g[1] * x[1] + g[2] * x[2];
-  const double mean = (g[0] + g[1] + g[2]) / 3;
-  double square = 0;
-  for (double& gi : g) {
-    gi -= mean;
-    square += gi * gi;
-  }
+  const FacePoint g = half_gradient(f, x);
+  const double square = squared_length(g);
   if (!(square > 0)) return;
+  const double value = bilinear(f, x, x);
   for (int i = 0; i < 3; ++i) x[i] -= value / (2 * square) * g[i];
 }
 
